@@ -1,0 +1,250 @@
+//! The model file as written: the output of `parse`, the input of `check`.
+//!
+//! Names are not resolved and nothing has a shape yet. Expressions live in one flat list, operands
+//! before users, so that later passes are loops.
+
+use crate::diagnostic::Range;
+use num_rational::BigRational;
+
+/// An identifier in its two spellings.
+///
+/// `ω` and `omega` are one name: [`Name::ascii`] decides equality and becomes the Rust identifier,
+/// [`Name::display`] is what the author wrote and what users of the model see.
+#[derive(Clone, Debug)]
+pub struct Name {
+    /// ASCII spelling: `omega`, `Gamma1`.
+    pub ascii: String,
+    /// Spelling in the file: `ω`, `Γ1`.
+    pub display: String,
+    /// Where it stands.
+    pub range: Range,
+}
+
+/// Index of an expression in [`Ast::exprs`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct ExprId(pub u32);
+
+impl ExprId {
+    /// The position in the list.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// A time level.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Level {
+    /// `x[k-1]`, reserved for two-step schemes.
+    Previous,
+    /// `x` or `x[k]`, the known state.
+    Now,
+    /// `x[k+1/2]`, the mean of now and next.
+    Half,
+    /// `x[k+1]`, the next state.
+    Next,
+}
+
+/// An operator between two expressions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Binary {
+    /// `a + b`
+    Add,
+    /// `a - b`
+    Sub,
+    /// `a * b`
+    Mul,
+    /// `a / b`
+    Div,
+    /// `a ^ b`
+    Pow,
+}
+
+/// An expression and where it stands.
+#[derive(Clone, Debug)]
+pub struct Expr {
+    /// What it is.
+    pub kind: ExprKind,
+    /// From its first token to its last.
+    pub range: Range,
+}
+
+/// The forms of an expression.
+#[derive(Clone, Debug)]
+pub enum ExprKind {
+    /// A literal, exact: `9.81` is 981/100.
+    Number(BigRational),
+    /// `x` (level absent) or `x[k+1]`.
+    Name(Name, Option<Level>),
+    /// `Δx` or `Delta(x)`.
+    Increment(Name),
+    /// `ẋ` or `der(x)`.
+    Rate(Name),
+    /// `-a`
+    Neg(ExprId),
+    /// `a + b` and its kin.
+    Binary(Binary, ExprId, ExprId),
+    /// `a.T`
+    Transpose(ExprId),
+    /// `a.x`, `a.y`, `a.z`: component 1, 2, 3.
+    Field(ExprId, usize),
+    /// `f(a, b)`; also `x(i)` and `A(i, j)`, which `check` tells from a call by the name.
+    Call(Name, Vec<ExprId>),
+    /// `a[k+1](i, j)`: components of something that is not a bare name, counted from 1.
+    Component(ExprId, Vec<ExprId>),
+    /// `[a, b, c]`: stacked below each other.
+    Stack(Vec<ExprId>),
+    /// `[[a, b], [c, d]]`: block rows.
+    Blocks(Vec<Vec<ExprId>>),
+}
+
+/// `: [3, 3] kg*m^2` behind a name. Both halves are optional.
+#[derive(Clone, Debug, Default)]
+pub struct TypeExpr {
+    /// `[n]` or `[n, m]`, each with its position.
+    pub shape: Option<(Vec<usize>, Option<Range>)>,
+    /// The unit, if one is written (`1` counts as written).
+    pub unit: Option<UnitExpr>,
+}
+
+/// A unit as written: a product of powers.
+#[derive(Clone, Debug)]
+pub struct UnitExpr {
+    /// `(symbol, exponent)`; `1` has none. `m/s^2` is `[(m, 1), (s, -2)]`.
+    pub factors: Vec<(Name, (i32, i32))>,
+    /// From its first token to its last.
+    pub range: Range,
+}
+
+/// `lhs = rhs;`
+#[derive(Clone, Debug)]
+pub struct Equation {
+    /// Left of `=`.
+    pub lhs: ExprId,
+    /// Right of `=`.
+    pub rhs: ExprId,
+    /// The source text, blanks normalised, for reports.
+    pub text: String,
+    /// From its first token to its last.
+    pub range: Range,
+}
+
+/// `name = value;` in `start` and `update`.
+#[derive(Clone, Debug)]
+pub struct Assignment {
+    /// Left of `=`.
+    pub name: Name,
+    /// Right of `=`.
+    pub value: ExprId,
+}
+
+/// Whether an output should stay constant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OutputKind {
+    /// `invariant`: constant along solutions of the continuous equations.
+    Invariant,
+    /// `observe`: anything worth looking at.
+    Observable,
+}
+
+/// What the unknowns of a solver are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Form {
+    /// `solve for next`: `x[k+1]`.
+    Next,
+    /// `solve for increment`: `Δx`.
+    Increment,
+}
+
+impl Form {
+    /// The word of the language.
+    pub fn keyword(self) -> &'static str {
+        match self {
+            Form::Next => "next",
+            Form::Increment => "increment",
+        }
+    }
+}
+
+/// `claim jacobian "Eq. 50" { ... }`: what a paper prints.
+#[derive(Clone, Debug)]
+pub struct Claim {
+    /// The quoted label.
+    pub label: String,
+    /// `require` in front: a difference is an error, not a finding.
+    pub required: bool,
+    /// The matrix: usually [`ExprKind::Blocks`].
+    pub matrix: ExprId,
+    /// From `claim` to the closing brace.
+    pub range: Range,
+}
+
+/// `param`, `state` and `unknown` share this.
+#[derive(Clone, Debug)]
+pub struct Declaration {
+    /// Its `///` lines.
+    pub doc: Vec<String>,
+    /// Its name.
+    pub name: Name,
+    /// Shape and unit.
+    pub ty: TypeExpr,
+    /// `= value`: default of a parameter, first guess of an unknown; absent for a state.
+    pub value: Option<ExprId>,
+}
+
+/// `invariant` and `observe`.
+#[derive(Clone, Debug)]
+pub struct Output {
+    /// Its `///` lines.
+    pub doc: Vec<String>,
+    /// Which of the two.
+    pub kind: OutputKind,
+    /// Its name.
+    pub name: Name,
+    /// Shape and unit.
+    pub ty: TypeExpr,
+    /// Its value.
+    pub value: ExprId,
+}
+
+/// One statement of the file.
+#[derive(Clone, Debug)]
+pub enum Item {
+    /// `param m: kg = 2;`
+    Parameter(Declaration),
+    /// `state ω: 1/s;`
+    State(Declaration),
+    /// `unknown F: [2,2] = I;`
+    Unknown(Declaration),
+    /// `let e1 = [1, 0];`
+    Let(Name, ExprId),
+    /// `flow { ... }`
+    Flow(Vec<Equation>, Range),
+    /// `residual { ... }`
+    Residual(Vec<Equation>, Range),
+    /// `solve for next, increment;`
+    SolveFor(Vec<(Form, Range)>, Range),
+    /// `update { ... }`
+    Update(Vec<Assignment>, Range),
+    /// `start { ... }`
+    Start(Vec<Assignment>, Range),
+    /// `invariant` or `observe`.
+    Output(Output),
+    /// `claim jacobian "..." { ... }`
+    Claim(Claim),
+}
+
+/// A parsed model file.
+#[derive(Clone, Debug)]
+pub struct Ast {
+    /// The model's name: the stem of its file.
+    pub name: String,
+    /// `///` lines before the first item that are set apart as the model's own: the `//!` lines,
+    /// or the `///` lines at the very top when a blank line or none follows.
+    pub doc: Vec<String>,
+    /// The statements in file order.
+    pub items: Vec<Item>,
+    /// All expressions, operands before users.
+    pub exprs: Vec<Expr>,
+    /// The whole invocation, for errors about something that is missing.
+    pub range: Range,
+}

@@ -1,0 +1,25 @@
+//! The Residua generator.
+//!
+//! One public function per stage, from one data type to the next:
+//!
+//! | stage | from | to | afterwards |
+//! |---|---|---|---|
+//! | [`parse`] | tokens | [`ast::Ast`] | the text is a list of statements |
+//! | [`check`] | `Ast` | [`model::Model`] | names, shapes and units are right, `let`s are gone |
+//! | [`lower`] | `Model` | [`system::Equations`] and residuals | scalars only, no time levels |
+//! | [`differentiate`] | residuals | Jacobian entries | exact, structural non-zeros only |
+//! | [`structure`] | residuals, entries | [`system::System`] | solvable, in block order |
+//! | [`stage`] | `System` | [`schedule::Schedule`] | each value at its rate |
+//! | [`emit`] | `Schedule` | Rust | |
+//!
+//! [`compile`] runs them. Simplification is no pass: the constructors of [`normal`] keep every node of
+//! the [`dag::Dag`] in normal form from the start, so derivatives never grow first and shrink later.
+
+pub mod ast;
+pub mod dag;
+pub mod diagnostic;
+pub mod function;
+pub mod model;
+pub mod schedule;
+pub mod system;
+pub mod unit;

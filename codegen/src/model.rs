@@ -1,0 +1,257 @@
+//! A checked model: every name resolved, every shape and unit known, `let`s gone.
+//!
+//! The output of `check`, the input of `lower` and, for names and texts, of `emit`.
+
+use crate::ast::ExprId;
+use crate::ast::Form;
+use crate::ast::Level;
+use crate::ast::Name;
+use crate::ast::OutputKind;
+use crate::diagnostic::Range;
+use crate::function::Function;
+use crate::unit::Unit;
+use num_rational::BigRational;
+
+/// Rows and columns. A scalar is 1×1, a vector n×1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shape {
+    /// Rows.
+    pub rows: usize,
+    /// Columns.
+    pub cols: usize,
+}
+
+impl Shape {
+    /// 1×1.
+    pub const SCALAR: Shape = Shape { rows: 1, cols: 1 };
+
+    /// A column of `n`.
+    pub fn vector(n: usize) -> Self {
+        Self { rows: n, cols: 1 }
+    }
+
+    /// Number of components; components are numbered row by row.
+    pub fn len(self) -> usize {
+        self.rows * self.cols
+    }
+
+    /// True for 1×1.
+    pub fn is_scalar(self) -> bool {
+        self == Self::SCALAR
+    }
+}
+
+/// What `param`, `state`, `unknown` and outputs have in common.
+#[derive(Clone, Debug)]
+pub struct Variable {
+    /// Its name.
+    pub name: Name,
+    /// Its shape.
+    pub shape: Shape,
+    /// Its unit, the same for every component.
+    pub unit: Unit,
+    /// Its `///` lines.
+    pub doc: Vec<String>,
+    /// Position of its first component in the flat list of its kind.
+    pub offset: usize,
+}
+
+/// A parameter and its default.
+#[derive(Clone, Debug)]
+pub struct Parameter {
+    /// Name, shape, unit.
+    pub variable: Variable,
+    /// Default; depends on nothing.
+    pub default: ExprId,
+}
+
+/// A state, where it starts and how it moves on.
+#[derive(Clone, Debug)]
+pub struct State {
+    /// Name, shape, unit.
+    pub variable: Variable,
+    /// Start value; depends on parameters only.
+    pub start: ExprId,
+    /// Whether `x[k+1]` (or `Δx`) is an unknown of the Newton solve.
+    pub solved: bool,
+    /// Its value after the step, from `update`. Without one it is `x[k+1]`.
+    /// Where `solved` is false this is present, and `x[k+1]` anywhere stands for it.
+    pub update: Option<ExprId>,
+}
+
+/// An unknown that is not a state.
+#[derive(Clone, Debug)]
+pub struct Unknown {
+    /// Name, shape, unit.
+    pub variable: Variable,
+    /// First guess; depends on parameters, h, t and the known state.
+    pub guess: ExprId,
+}
+
+/// What one block of unknowns belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Solved {
+    /// The next value or increment of [`Model::states`]`[i]`.
+    State(usize),
+    /// [`Model::unknowns`]`[i]`.
+    Own(usize),
+}
+
+/// `lhs = rhs`, both of `shape` (a literal zero or a multiple of `I` takes the other's shape).
+#[derive(Clone, Debug)]
+pub struct Equation {
+    /// Left of `=`.
+    pub lhs: ExprId,
+    /// Right of `=`.
+    pub rhs: ExprId,
+    /// Shape of the difference.
+    pub shape: Shape,
+    /// Source text for reports.
+    pub text: String,
+    /// Where it stands.
+    pub range: Range,
+}
+
+/// An invariant or an observable.
+#[derive(Clone, Debug)]
+pub struct Output {
+    /// Name, shape, unit.
+    pub variable: Variable,
+    /// Which of the two.
+    pub kind: OutputKind,
+    /// Its value; depends on parameters, h, t and the known state.
+    pub value: ExprId,
+}
+
+/// A printed Jacobian. Its blocks are not checked for shape: a misfit is a finding.
+#[derive(Clone, Debug)]
+pub struct Claim {
+    /// What the author calls it.
+    pub label: String,
+    /// A difference is an error.
+    pub required: bool,
+    /// Block rows as written, with the source text of each block.
+    pub blocks: Vec<Vec<(ExprId, String)>>,
+    /// Where it stands.
+    pub range: Range,
+}
+
+/// A typed expression.
+#[derive(Clone, Debug)]
+pub struct Expr {
+    /// The operation.
+    pub op: Op,
+    /// Its shape; `None` for a multiple of an `I` whose size its surroundings decide.
+    pub shape: Option<Shape>,
+    /// Where it stands.
+    pub range: Range,
+}
+
+/// Vector-level operations.
+///
+/// Where operands must agree in shape, a literal zero and a multiple of `I` without a size take the
+/// other operand's shape.
+#[derive(Clone, Debug)]
+pub enum Op {
+    /// Exact literal, scalar.
+    Number(BigRational),
+    /// π
+    Pi,
+    /// `I`
+    Identity,
+    /// All of a parameter.
+    Parameter(usize),
+    /// All of a state at a level other than [`Level::Previous`].
+    State(usize, Level),
+    /// `Δx` of a state.
+    Increment(usize),
+    /// `der(x)` of a state: `Δx/h` in a residual, the rate itself in a flow.
+    Rate(usize),
+    /// All of an own unknown.
+    Unknown(usize),
+    /// `t`
+    Time(Level),
+    /// `h`
+    StepSize,
+    /// `-a`
+    Neg(ExprId),
+    /// `a + b`
+    Add(ExprId, ExprId),
+    /// `a - b`
+    Sub(ExprId, ExprId),
+    /// `a * b`: scalar × anything or matrix product.
+    Mul(ExprId, ExprId),
+    /// `a / b`, b scalar.
+    Div(ExprId, ExprId),
+    /// `a ^ b`, both scalar.
+    Pow(ExprId, ExprId),
+    /// `a.T`
+    Transpose(ExprId),
+    /// One component, row and column counted from 0.
+    Component(ExprId, usize, usize),
+    /// Blocks with the height of each row and the width of each column.
+    Blocks {
+        /// Row by row.
+        rows: Vec<Vec<ExprId>>,
+        /// Height of each block row.
+        heights: Vec<usize>,
+        /// Width of each block column.
+        widths: Vec<usize>,
+    },
+    /// A function of the language.
+    Call(Function, Vec<ExprId>),
+}
+
+/// A checked model.
+#[derive(Clone, Debug)]
+pub struct Model {
+    /// The stem of its file.
+    pub name: String,
+    /// Its own doc lines.
+    pub doc: Vec<String>,
+    /// In file order.
+    pub parameters: Vec<Parameter>,
+    /// In file order.
+    pub states: Vec<State>,
+    /// In file order.
+    pub unknowns: Vec<Unknown>,
+    /// The blocks of the unknown vector, in file order of their declarations.
+    pub solved: Vec<Solved>,
+    /// Typed expressions, operands before users.
+    pub exprs: Vec<Expr>,
+    /// The discrete equations, as many components as unknowns.
+    pub residual: Vec<Equation>,
+    /// The continuous equations, as many components as states; empty if the file gives none.
+    pub flow: Vec<Equation>,
+    /// Invariants and observables in file order.
+    pub outputs: Vec<Output>,
+    /// The solvers to emit.
+    pub forms: Vec<Form>,
+    /// What papers print.
+    pub claims: Vec<Claim>,
+}
+
+impl Model {
+    /// The expression behind an id.
+    pub fn expr(&self, id: ExprId) -> &Expr {
+        &self.exprs[id.index()]
+    }
+
+    /// Number of scalar states.
+    pub fn n_states(&self) -> usize {
+        self.states.iter().map(|s| s.variable.shape.len()).sum()
+    }
+
+    /// Number of scalar unknowns.
+    pub fn n_unknowns(&self) -> usize {
+        self.solved.iter().map(|&s| self.solved_variable(s).shape.len()).sum()
+    }
+
+    /// The variable a block of unknowns belongs to.
+    pub fn solved_variable(&self, solved: Solved) -> &Variable {
+        match solved {
+            Solved::State(i) => &self.states[i].variable,
+            Solved::Own(i) => &self.unknowns[i].variable,
+        }
+    }
+}

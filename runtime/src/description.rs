@@ -1,0 +1,126 @@
+//! What a model says about itself.
+
+/// Everything about a model but its arithmetic.
+#[derive(Debug)]
+pub struct Description {
+    /// The stem of its file.
+    pub name: &'static str,
+    /// Its doc lines.
+    pub doc: &'static str,
+    /// In file order.
+    pub parameters: &'static [Variable],
+    /// In file order.
+    pub states: &'static [Variable],
+    /// Invariants and observables in file order.
+    pub outputs: &'static [Output],
+    /// One per form.
+    pub solvers: &'static [Solver],
+    /// What papers print, compared with the derivative at build time.
+    pub claims: &'static [Claim],
+    /// It has continuous equations.
+    pub has_flow: bool,
+}
+
+/// A named quantity.
+#[derive(Debug)]
+pub struct Variable {
+    /// As in the file: `ω`.
+    pub name: &'static str,
+    /// As in Rust: `omega`.
+    pub ascii: &'static str,
+    /// Rows.
+    pub rows: usize,
+    /// Columns; 1 for scalars and vectors.
+    pub cols: usize,
+    /// Unit in base SI symbols, `1` if dimensionless.
+    pub unit: &'static str,
+    /// Its doc lines.
+    pub doc: &'static str,
+}
+
+/// An invariant or an observable.
+#[derive(Debug)]
+pub struct Output {
+    /// Name, shape, unit.
+    pub variable: Variable,
+    /// Constant along solutions of the continuous equations.
+    pub invariant: bool,
+}
+
+/// One solver.
+#[derive(Debug)]
+pub struct Solver {
+    /// `next` or `increment`.
+    pub form: &'static str,
+    /// The blocks of the unknown vector.
+    pub unknowns: &'static [Unknown],
+    /// The equations as in the file.
+    pub equations: &'static [Equation],
+    /// Structural non-zeros of the Jacobian as (row, column), row by row.
+    pub pattern: &'static [(usize, usize)],
+    /// Operation counts: scene, step, residual, residual and Jacobian, next.
+    pub counts: &'static [(&'static str, Count)],
+}
+
+/// Operations of one function.
+#[derive(Debug, Clone, Copy)]
+pub struct Count {
+    /// `+` and `-`
+    pub additions: usize,
+    /// `*`
+    pub multiplications: usize,
+    /// `/`
+    pub divisions: usize,
+    /// Elementary functions.
+    pub calls: usize,
+}
+
+/// A block of unknowns.
+#[derive(Debug)]
+pub struct Unknown {
+    /// As in the file: `Δω`, `ω[k+1]`, `F`.
+    pub name: &'static str,
+    /// Components.
+    pub len: usize,
+    /// Position of the state it advances in the flat state, if it does.
+    pub state: Option<usize>,
+}
+
+/// An equation.
+#[derive(Debug)]
+pub struct Equation {
+    /// Its text.
+    pub text: &'static str,
+    /// Its line in the file.
+    pub line: usize,
+    /// Components.
+    pub len: usize,
+}
+
+/// A printed Jacobian and what the generator found.
+#[derive(Debug)]
+pub struct Claim {
+    /// What the author calls it.
+    pub label: &'static str,
+    /// Its line in the file.
+    pub line: usize,
+    /// What differs; empty if the claim is right.
+    pub differences: &'static [Difference],
+}
+
+/// An entry, or a block of the wrong shape, in which a claim differs from the derivative.
+#[derive(Debug)]
+pub struct Difference {
+    /// Row, counted from 0.
+    pub row: usize,
+    /// Column, counted from 0.
+    pub col: usize,
+    /// ∂(equation)/∂(unknown) in words.
+    pub entry: &'static str,
+    /// What is printed.
+    pub printed: &'static str,
+    /// The derivative.
+    pub derived: &'static str,
+    /// Values of both at one generic point.
+    pub values: (f64, f64),
+}

@@ -1,0 +1,4 @@
+//! contract, see files
+pub mod description;
+pub mod model;
+pub mod scalar;

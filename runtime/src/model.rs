@@ -1,0 +1,80 @@
+//! The traits that generated code implements.
+
+use crate::description::Description;
+use crate::scalar::Scalar;
+
+/// A fixed number of scalars under names: parameters, states or outputs of a model.
+pub trait Record<T>: Copy {
+    /// `[T; n]`
+    type Array: AsRef<[T]> + AsMut<[T]> + Copy;
+    /// Components in declaration order, matrices row by row.
+    fn from_array(array: Self::Array) -> Self;
+    /// The inverse of [`Record::from_array`].
+    fn to_array(&self) -> Self::Array;
+}
+
+/// A model apart from its solvers. Implemented by the generated unit struct `Model`.
+pub trait Model<T: Scalar> {
+    /// The generated struct `Parameters<T>`; its `Default` holds the values of the file.
+    type Parameters: Record<T> + Default;
+    /// The generated struct `State<T>`.
+    type State: Record<T>;
+    /// The generated struct `Outputs<T>`: invariants and observables.
+    type Outputs: Record<T>;
+    /// Names, shapes, units, texts.
+    const DESCRIPTION: &'static Description;
+    /// The start values of the file for these parameters.
+    fn start(parameters: &Self::Parameters) -> Self::State;
+    /// Invariants and observables at time `t` and `state` of a run with step `h`.
+    fn outputs(parameters: &Self::Parameters, h: T, t: T, state: &Self::State) -> Self::Outputs;
+}
+
+/// A model with continuous equations. Implemented by the generated `Model` where the file has a `flow`.
+pub trait Flow<T: Scalar>: Model<T> {
+    /// What depends on the parameters only, computed once per run.
+    type FlowScene: Copy;
+    /// Computes the scene cache.
+    fn flow_scene(parameters: &Self::Parameters) -> Self::FlowScene;
+    /// dx/dt at time `t` and state `x`.
+    fn flow(scene: &Self::FlowScene, t: T, x: &<Self::State as Record<T>>::Array) -> <Self::State as Record<T>>::Array;
+}
+
+/// Shorthand for the flat array behind the state of `S`.
+pub type StateArray<S, T> = <<<S as System<T>>::Model as Model<T>>::State as Record<T>>::Array;
+
+/// One solver: r(x) = 0 for the unknowns x of one step. Implemented by the generated unit structs
+/// `Next` and `Increment`.
+pub trait System<T: Scalar> {
+    /// The model it belongs to.
+    type Model: Model<T>;
+    /// `[T; n]`
+    type Unknowns: AsRef<[T]> + AsMut<[T]> + Copy;
+    /// `[[T; n]; n]`, rows first.
+    type Jacobian: Copy;
+    /// What depends on the parameters and h only, computed once per run.
+    type Scene: Copy;
+    /// What depends on the known state and t besides, computed once per step.
+    type Step: Copy;
+    /// Index in [`Description::solvers`].
+    const SOLVER: usize;
+    /// Zero unknowns and a zero Jacobian, to be overwritten.
+    fn zeros() -> (Self::Unknowns, Self::Jacobian);
+    /// Computes the scene cache.
+    fn scene(parameters: &<Self::Model as Model<T>>::Parameters, h: T) -> Self::Scene;
+    /// Computes the step cache.
+    fn step(scene: &Self::Scene, t: T, state: &StateArray<Self, T>) -> Self::Step;
+    /// The first guess of the unknowns: the known state, a zero increment, or what the file says.
+    fn guess(scene: &Self::Scene, step: &Self::Step) -> Self::Unknowns;
+    /// r(x)
+    fn residual(scene: &Self::Scene, step: &Self::Step, x: &Self::Unknowns, r: &mut Self::Unknowns);
+    /// r(x) and its Jacobian. Structural zeros of `j` are left as they are.
+    fn residual_and_jacobian(
+        scene: &Self::Scene,
+        step: &Self::Step,
+        x: &Self::Unknowns,
+        r: &mut Self::Unknowns,
+        j: &mut Self::Jacobian,
+    );
+    /// The state after the step.
+    fn next(scene: &Self::Scene, step: &Self::Step, x: &Self::Unknowns) -> StateArray<Self, T>;
+}

@@ -1,0 +1,55 @@
+//! What generated code computes with.
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A number that generated code can compute with: `f64`, `f32`, a dual number, SIMD lanes.
+pub trait Scalar:
+    Copy
+    + core::fmt::Debug
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// The number nearest to `value`.
+    fn constant(value: f64) -> Self;
+    /// sin x
+    fn sin(self) -> Self;
+    /// cos x
+    fn cos(self) -> Self;
+    /// (sin x, cos x)
+    fn sin_cos(self) -> (Self, Self) {
+        (self.sin(), self.cos())
+    }
+    /// tan x
+    fn tan(self) -> Self;
+    /// asin x
+    fn asin(self) -> Self;
+    /// acos x
+    fn acos(self) -> Self;
+    /// atan x
+    fn atan(self) -> Self;
+    /// The angle of (x, y) with y = self.
+    fn atan2(self, x: Self) -> Self;
+    /// sinh x
+    fn sinh(self) -> Self;
+    /// cosh x
+    fn cosh(self) -> Self;
+    /// tanh x
+    fn tanh(self) -> Self;
+    /// eˣ
+    fn exp(self) -> Self;
+    /// ln x
+    fn ln(self) -> Self;
+    /// √x
+    fn sqrt(self) -> Self;
+    /// |x|
+    fn abs(self) -> Self;
+    /// −1, 0 or 1
+    fn sign(self) -> Self;
+    /// x^y
+    fn powf(self, exponent: Self) -> Self;
+    /// cₙ(s) = Σ (−s)^j / (n + 2j)!: c₁(x²) = sin x / x, c₂(x²) = (1 − cos x)/x².
+    fn stumpff(self, n: u32) -> Self;
+}
