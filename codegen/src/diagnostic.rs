@@ -17,12 +17,18 @@ pub struct Range {
 impl Range {
     /// The range of one token.
     pub fn of(span: Span) -> Self {
-        Self { start: span, end: span }
+        Self {
+            start: span,
+            end: span,
+        }
     }
 
     /// From the start of `self` to the end of `other`.
     pub fn to(self, other: Range) -> Self {
-        Self { start: self.start, end: other.end }
+        Self {
+            start: self.start,
+            end: other.end,
+        }
     }
 
     /// Line of the first token, counted from 1.
@@ -51,12 +57,25 @@ pub struct Errors {
 impl Errors {
     /// Adds a mistake.
     pub fn push(&mut self, range: Range, message: impl Into<String>) {
-        self.list.push(Diagnostic { range, message: message.into(), help: None });
+        self.list.push(Diagnostic {
+            range,
+            message: message.into(),
+            help: None,
+        });
     }
 
     /// Adds a mistake and what to do about it.
-    pub fn push_with_help(&mut self, range: Range, message: impl Into<String>, help: impl Into<String>) {
-        self.list.push(Diagnostic { range, message: message.into(), help: Some(help.into()) });
+    pub fn push_with_help(
+        &mut self,
+        range: Range,
+        message: impl Into<String>,
+        help: impl Into<String>,
+    ) {
+        self.list.push(Diagnostic {
+            range,
+            message: message.into(),
+            help: Some(help.into()),
+        });
     }
 
     /// Nothing found so far.
@@ -75,6 +94,10 @@ impl Errors {
 
     /// `value` if nothing was found, the mistakes otherwise.
     pub fn or<T>(self, value: T) -> Result<T, Errors> {
-        if self.is_empty() { Ok(value) } else { Err(self) }
+        if self.is_empty() {
+            Ok(value)
+        } else {
+            Err(self)
+        }
     }
 }

@@ -110,6 +110,9 @@ impl Function {
 
     /// Its name in the language.
     pub fn name(self) -> &'static str {
-        TABLE.iter().find(|row| row.1 == self).map_or("?", |row| row.0)
+        TABLE
+            .iter()
+            .find(|row| row.1 == self)
+            .map_or("?", |row| row.0)
     }
 }

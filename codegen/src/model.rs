@@ -244,7 +244,10 @@ impl Model {
 
     /// Number of scalar unknowns.
     pub fn n_unknowns(&self) -> usize {
-        self.solved.iter().map(|&s| self.solved_variable(s).shape.len()).sum()
+        self.solved
+            .iter()
+            .map(|&s| self.solved_variable(s).shape.len())
+            .sum()
     }
 
     /// The variable a block of unknowns belongs to.

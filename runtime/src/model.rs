@@ -36,7 +36,11 @@ pub trait Flow<T: Scalar>: Model<T> {
     /// Computes the scene cache.
     fn flow_scene(parameters: &Self::Parameters) -> Self::FlowScene;
     /// dx/dt at time `t` and state `x`.
-    fn flow(scene: &Self::FlowScene, t: T, x: &<Self::State as Record<T>>::Array) -> <Self::State as Record<T>>::Array;
+    fn flow(
+        scene: &Self::FlowScene,
+        t: T,
+        x: &<Self::State as Record<T>>::Array,
+    ) -> <Self::State as Record<T>>::Array;
 }
 
 /// Shorthand for the flat array behind the state of `S`.
