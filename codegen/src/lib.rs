@@ -18,8 +18,10 @@
 pub mod ast;
 pub mod dag;
 pub mod diagnostic;
+pub mod differentiate;
 pub mod function;
 pub mod model;
+pub mod normal;
 pub mod schedule;
 pub mod system;
 pub mod unit;
