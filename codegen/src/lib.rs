@@ -23,5 +23,6 @@ pub mod function;
 pub mod model;
 pub mod normal;
 pub mod schedule;
+pub mod stage;
 pub mod system;
 pub mod unit;

@@ -192,6 +192,49 @@ impl Schedule {
     }
 }
 
+impl Schedule {
+    /// Checks what `emit` relies on: operands stand before users, and a kernel uses only what it has
+    /// computed before, inputs of its own rate, numbers and cached values of slower rates.
+    ///
+    /// # Errors
+    /// Says which value breaks which rule.
+    pub fn verify(&self) -> Result<(), String> {
+        for (i, value) in self.values.iter().enumerate() {
+            if value.op.operands().iter().any(|o| o.index() >= i) {
+                return Err(format!(
+                    "value {i} uses a value that does not stand before it"
+                ));
+            }
+        }
+        for kernel in &self.kernels {
+            let mut known = vec![false; self.values.len()];
+            for (i, value) in self.values.iter().enumerate() {
+                known[i] = value.op.is_number() || value.op.is_given() && value.rate == kernel.rate;
+            }
+            let caches = [(Rate::Scene, &self.scene), (Rate::Step, &self.step)];
+            for (rate, cache) in caches.into_iter().filter(|c| c.0 < kernel.rate) {
+                for id in cache {
+                    known[id.index()] = self.value(*id).rate == rate;
+                }
+            }
+            for id in &kernel.body {
+                let operands = self.value(*id).op.operands();
+                if let Some(missing) = operands.iter().find(|o| !known[o.index()]) {
+                    return Err(format!("{}: {id:?} needs {missing:?}", kernel.name));
+                }
+                known[id.index()] = self.value(*id).rate == kernel.rate;
+            }
+            if let Some(missing) = kernel.roots.iter().find(|r| !known[r.index()]) {
+                return Err(format!(
+                    "{}: the result {missing:?} is unknown",
+                    kernel.name
+                ));
+            }
+        }
+        Ok(())
+    }
+}
+
 impl AddAssign for Count {
     fn add_assign(&mut self, other: Count) {
         self.additions += other.additions;
