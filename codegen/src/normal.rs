@@ -227,6 +227,36 @@ impl Dag {
         self.intern(Node::Call(function, arguments))
     }
 
+    /// `roots` with every leaf that `replacement` knows replaced.
+    pub fn substitute(
+        &mut self,
+        roots: &[NodeId],
+        replacement: impl Fn(Leaf) -> Option<NodeId>,
+    ) -> Vec<NodeId> {
+        let needed = self.reachable(roots);
+        let mut replaced: Vec<NodeId> = (0..needed.len() as u32).map(NodeId).collect();
+        for i in (0..needed.len()).filter(|&i| needed[i]) {
+            let new = |id: &NodeId| replaced[id.index()];
+            replaced[i] = match self.nodes()[i].clone() {
+                Node::Constant(_) | Node::Pi => continue,
+                Node::Leaf(leaf) => replacement(leaf).unwrap_or(replaced[i]),
+                Node::Sum(terms) => {
+                    let terms: Vec<_> = terms.iter().map(|(c, n)| (c.clone(), new(n))).collect();
+                    self.sum(terms)
+                }
+                Node::Product(factors) => {
+                    let factors: Vec<_> = factors.iter().map(|(n, e)| (new(n), *e)).collect();
+                    self.product(factors)
+                }
+                Node::Call(function, arguments) => {
+                    let arguments = arguments.iter().map(new).collect();
+                    self.call(function, arguments)
+                }
+            };
+        }
+        roots.iter().map(|r| replaced[r.index()]).collect()
+    }
+
     /// The value of a call whose arguments and value are exact.
     fn exact_call(&self, function: Elementary, arguments: &[NodeId]) -> Option<BigRational> {
         if matches!(function, Elementary::Sin | Elementary::Cos) {
