@@ -175,8 +175,13 @@ impl Dag {
                 Node::Product(inner) if inner.len() <= MERGED && merges(inner, exponent) => {
                     open.extend(inner.iter().map(|(n, e)| (*n, e * exponent)));
                 }
-                Node::Call(Elementary::Sqrt, argument) if exponent % 2 == 0 => {
-                    open.push((argument[0], exponent / 2));
+                Node::Call(Elementary::Sqrt, argument) => {
+                    let total = collected.remove(&id).unwrap_or(0) + exponent;
+                    if total % 2 == 0 {
+                        open.push((argument[0], total / 2));
+                    } else {
+                        collected.insert(id, total);
+                    }
                 }
                 _ => *collected.entry(id).or_default() += exponent,
             }
@@ -387,3 +392,6 @@ fn parity(function: Elementary) -> Parity {
         | Elementary::Stumpff(_) => Parity::Neither,
     }
 }
+
+#[cfg(test)]
+mod tests;

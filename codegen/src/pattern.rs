@@ -135,3 +135,6 @@ fn strong_components(n: usize, needs: impl Fn(usize) -> Vec<usize>) -> Vec<Vec<u
     }
     components
 }
+
+#[cfg(test)]
+mod tests;
