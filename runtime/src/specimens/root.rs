@@ -1,4 +1,5 @@
-//! Root-finding problems as systems without time: one block of N unknowns that starts at the known state.
+//! Root-finding problems as systems without time: one block of N unknowns that starts at the known
+//! state.
 
 use core::marker::PhantomData;
 
@@ -16,14 +17,14 @@ pub(crate) type Evaluated<const N: usize> = ([f64; N], [[f64; N]; N]);
 
 /// A problem r(x) = 0.
 pub(crate) trait Problem<const N: usize> {
-    /// What the stepper calls a step: from `known` to the root, starting there.
-    fn evaluate(x: [f64; N], known: [f64; N]) -> Evaluated<N>;
-    /// The state that the unknowns advance, if they do.
-    const STATE: Option<usize> = Some(0);
-    /// The first guess.
-    fn guess(known: [f64; N]) -> [f64; N] {
-        known
-    }
+    /// The blocks of x: one, measured by itself and by where it starts.
+    const UNKNOWNS: &'static [Unknown] = &[Unknown {
+        name: "x[k+1]",
+        len: N,
+        state: Some(0),
+    }];
+    /// r and J at x.
+    fn evaluate(x: [f64; N]) -> Evaluated<N>;
 }
 
 /// The system of the problem `P`.
@@ -67,11 +68,7 @@ impl<P: Problem<N>, const N: usize> Model<f64> for Root<P, N> {
         outputs: &[],
         solvers: &[Solver {
             form: "next",
-            unknowns: &[Unknown {
-                name: "x[k+1]",
-                len: N,
-                state: P::STATE,
-            }],
+            unknowns: P::UNKNOWNS,
             equations: &[Equation {
                 text: "r(x) = 0",
                 line: 3,
@@ -106,19 +103,19 @@ impl<P: Problem<N>, const N: usize> System<f64> for Root<P, N> {
         *state
     }
     fn guess(_scene: &(), step: &[f64; N]) -> [f64; N] {
-        P::guess(*step)
+        *step
     }
-    fn residual(_scene: &(), step: &[f64; N], x: &[f64; N], r: &mut [f64; N]) {
-        *r = P::evaluate(*x, *step).0;
+    fn residual(_scene: &(), _step: &[f64; N], x: &[f64; N], r: &mut [f64; N]) {
+        *r = P::evaluate(*x).0;
     }
     fn residual_and_jacobian(
         _scene: &(),
-        step: &[f64; N],
+        _step: &[f64; N],
         x: &[f64; N],
         r: &mut [f64; N],
         j: &mut [[f64; N]; N],
     ) {
-        (*r, *j) = P::evaluate(*x, *step);
+        (*r, *j) = P::evaluate(*x);
     }
     fn next(_scene: &(), _step: &[f64; N], x: &[f64; N]) -> [f64; N] {
         *x
