@@ -43,7 +43,12 @@ pub fn compile(name: &str, tokens: TokenStream) -> Result<Compiled, Errors> {
         systems.push(system);
         findings = found;
     }
-    Ok(Compiled { model, equations, systems, findings })
+    Ok(Compiled {
+        model,
+        equations,
+        systems,
+        findings,
+    })
 }
 
 fn continuous(model: &Model) -> Result<Equations, Errors> {
@@ -54,9 +59,21 @@ fn continuous(model: &Model) -> Result<Equations, Errors> {
         let entries = differentiate(&mut lowered.dag, &lowered.flow, model.n_states());
         Some(explicit(model, &mut lowered.dag, &lowered.flow, &entries)?)
     };
-    let crate::system::Continuous { dag, defaults, start, outputs, .. } = lowered;
+    let crate::system::Continuous {
+        dag,
+        defaults,
+        start,
+        outputs,
+        ..
+    } = lowered;
     debug_assert_eq!(dag.verify(), Ok(()));
-    Ok(Equations { dag, defaults, start, outputs, flow })
+    Ok(Equations {
+        dag,
+        defaults,
+        start,
+        outputs,
+        flow,
+    })
 }
 
 fn discrete(model: &Model, form: Form) -> Result<(System, Vec<Finding>), Errors> {
@@ -64,7 +81,24 @@ fn discrete(model: &Model, form: Form) -> Result<(System, Vec<Finding>), Errors>
     let jacobian = differentiate(&mut lowered.dag, &lowered.residual, model.n_unknowns());
     let blocks = structure(model, &lowered.dag, &jacobian)?;
     let findings = claims(model, &mut lowered, &jacobian)?;
-    let crate::system::Discrete { dag, residual, guess, next, .. } = lowered;
+    let crate::system::Discrete {
+        dag,
+        residual,
+        guess,
+        next,
+        ..
+    } = lowered;
     debug_assert_eq!(dag.verify(), Ok(()));
-    Ok((System { form, dag, residual, jacobian, guess, next, blocks }, findings))
+    Ok((
+        System {
+            form,
+            dag,
+            residual,
+            jacobian,
+            guess,
+            next,
+            blocks,
+        },
+        findings,
+    ))
 }

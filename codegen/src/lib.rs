@@ -16,11 +16,12 @@
 //! the [`dag::Dag`] in normal form from the start, so derivatives never grow first and shrink later.
 
 pub mod ast;
+pub mod check;
 pub mod claims;
+pub mod compile;
 pub mod dag;
 pub mod diagnostic;
 pub mod differentiate;
-pub mod emit;
 pub mod explicit;
 pub mod finding;
 pub mod function;
@@ -28,6 +29,7 @@ pub mod lower;
 pub mod matrix;
 pub mod model;
 pub mod normal;
+pub mod parse;
 pub mod pattern;
 pub mod sample;
 pub mod schedule;

@@ -149,7 +149,7 @@ impl<'m> Context<'m> {
                     self.values[top.index()] = Some(value);
                 }
             } else {
-                open.extend(missing);
+                open.extend(missing.into_iter().rev());
             }
         }
         self.computed(id)
