@@ -1,1 +1,5 @@
-//! Test helpers.
+//! What the tests share: equations and Jacobians written by hand, and the arithmetic to judge them with.
+
+pub mod measured;
+pub mod number;
+pub mod reference;
