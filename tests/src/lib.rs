@@ -2,4 +2,5 @@
 
 pub mod measured;
 pub mod number;
+pub mod points;
 pub mod reference;

@@ -132,7 +132,7 @@ pub fn part<T: Number, const L: usize, const N: usize>(
 
 /// The vector of these blocks below each other, N = 3 B.
 pub fn stack<T: Number, const B: usize, const N: usize>(blocks: [Vector3<T>; B]) -> SVector<T, N> {
-    let mut v = SVector::zeros();
+    let mut v = SVector::<T, N>::zeros();
     for (i, block) in blocks.iter().enumerate() {
         v.fixed_rows_mut::<3>(3 * i).copy_from(block);
     }
@@ -143,7 +143,7 @@ pub fn stack<T: Number, const B: usize, const N: usize>(blocks: [Vector3<T>; B])
 pub fn tile<T: Number, const B: usize, const N: usize>(
     rows: [[Matrix3<T>; B]; B],
 ) -> SMatrix<T, N, N> {
-    let mut m = SMatrix::zeros();
+    let mut m = SMatrix::<T, N, N>::zeros();
     for (i, row) in rows.iter().enumerate() {
         for (k, block) in row.iter().enumerate() {
             m.fixed_view_mut::<3, 3>(3 * i, 3 * k).copy_from(block);

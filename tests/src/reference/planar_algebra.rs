@@ -13,7 +13,7 @@ impl Form<2, 2> for Next {
     const FORM: &'static str = "next";
 
     fn residual<T: Number>(p: &Planar<T>, h: T, s: &Vector2<T>, x: &Vector2<T>) -> Vector2<T> {
-        let half = rotation(x[1] / c(2.0)) * rotation(s[1] / c(2.0));
+        let half = rotation(x[1] / c::<T>(2.0)) * rotation(s[1] / c::<T>(2.0));
         Vector2::new(
             p.inertia * (x[0] - s[0]) + h * p.weight * lever(&half),
             c::<T>(2.0) * (x[1] - s[1]) - h * (x[0] + s[0]),
@@ -22,8 +22,14 @@ impl Form<2, 2> for Next {
 
     /// Eq. 64, corrected: d exp(S(θ/2))/dθ = ½ S₁ exp(S(θ/2)). The S₁ is missing in print.
     fn jacobian<T: Number>(p: &Planar<T>, h: T, s: &Vector2<T>, x: &Vector2<T>) -> Matrix2<T> {
-        let turned = quarter_turn() * rotation(x[1] / c(2.0)) * rotation(s[1] / c(2.0));
-        Matrix2::new(p.inertia, h * p.weight / c(2.0) * lever(&turned), -h, c(2.0))
+        let turned =
+            quarter_turn::<T>() * rotation(x[1] / c::<T>(2.0)) * rotation(s[1] / c::<T>(2.0));
+        Matrix2::new(
+            p.inertia,
+            h * p.weight / c::<T>(2.0) * lever(&turned),
+            -h,
+            c::<T>(2.0),
+        )
     }
 
     fn guess<T: Number>(s: &Vector2<T>) -> Vector2<T> {
@@ -44,7 +50,7 @@ impl Form<2, 2> for Increment {
     const FORM: &'static str = "increment";
 
     fn residual<T: Number>(p: &Planar<T>, h: T, s: &Vector2<T>, x: &Vector2<T>) -> Vector2<T> {
-        let half = rotation(s[1]) * rotation(x[1] / c(2.0));
+        let half = rotation(s[1]) * rotation(x[1] / c::<T>(2.0));
         Vector2::new(
             p.inertia * x[0] + h * p.weight * lever(&half),
             c::<T>(2.0) * x[1] - c::<T>(2.0) * h * s[0] - h * x[0],
@@ -53,8 +59,13 @@ impl Form<2, 2> for Increment {
 
     /// Eq. 65, corrected: d exp(S(Δθ/2))/dΔθ = ½ exp(S(Δθ/2)) S₁. The S₁ is missing in print.
     fn jacobian<T: Number>(p: &Planar<T>, h: T, s: &Vector2<T>, x: &Vector2<T>) -> Matrix2<T> {
-        let turned = rotation(s[1]) * rotation(x[1] / c(2.0)) * quarter_turn();
-        Matrix2::new(p.inertia, h * p.weight / c(2.0) * lever(&turned), -h, c(2.0))
+        let turned = rotation(s[1]) * rotation(x[1] / c::<T>(2.0)) * quarter_turn::<T>();
+        Matrix2::new(
+            p.inertia,
+            h * p.weight / c::<T>(2.0) * lever(&turned),
+            -h,
+            c::<T>(2.0),
+        )
     }
 
     fn guess<T: Number>(_: &Vector2<T>) -> Vector2<T> {

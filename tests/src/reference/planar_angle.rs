@@ -13,7 +13,7 @@ impl Form<2, 2> for Next {
     const FORM: &'static str = "next";
 
     fn residual<T: Number>(p: &Planar<T>, h: T, s: &Vector2<T>, x: &Vector2<T>) -> Vector2<T> {
-        let (sin, _) = ((x[1] + s[1]) / c(2.0)).sin_cos();
+        let (sin, _) = ((x[1] + s[1]) / c::<T>(2.0)).sin_cos();
         Vector2::new(
             p.inertia * (x[0] - s[0]) + h * p.weight * sin,
             c::<T>(2.0) * (x[1] - s[1]) - h * (x[0] + s[0]),
@@ -22,8 +22,8 @@ impl Form<2, 2> for Next {
 
     /// Eq. 43, as printed: the mean angle (θ[k+1] + θ)/2 moves by half of θ[k+1], hence the ½ before the cosine.
     fn jacobian<T: Number>(p: &Planar<T>, h: T, s: &Vector2<T>, x: &Vector2<T>) -> Matrix2<T> {
-        let (_, cos) = ((x[1] + s[1]) / c(2.0)).sin_cos();
-        Matrix2::new(p.inertia, h * p.weight * cos / c(2.0), -h, c(2.0))
+        let (_, cos) = ((x[1] + s[1]) / c::<T>(2.0)).sin_cos();
+        Matrix2::new(p.inertia, h * p.weight * cos / c::<T>(2.0), -h, c::<T>(2.0))
     }
 
     fn guess<T: Number>(s: &Vector2<T>) -> Vector2<T> {
@@ -44,7 +44,7 @@ impl Form<2, 2> for Increment {
     const FORM: &'static str = "increment";
 
     fn residual<T: Number>(p: &Planar<T>, h: T, s: &Vector2<T>, x: &Vector2<T>) -> Vector2<T> {
-        let (sin, _) = (s[1] + x[1] / c(2.0)).sin_cos();
+        let (sin, _) = (s[1] + x[1] / c::<T>(2.0)).sin_cos();
         Vector2::new(
             p.inertia * x[0] + h * p.weight * sin,
             c::<T>(2.0) * x[1] - c::<T>(2.0) * h * s[0] - h * x[0],
@@ -53,8 +53,8 @@ impl Form<2, 2> for Increment {
 
     /// Eq. 46, as printed: d(θ + Δθ/2)/dΔθ = ½, and the rest is linear.
     fn jacobian<T: Number>(p: &Planar<T>, h: T, s: &Vector2<T>, x: &Vector2<T>) -> Matrix2<T> {
-        let (_, cos) = (s[1] + x[1] / c(2.0)).sin_cos();
-        Matrix2::new(p.inertia, h * p.weight * cos / c(2.0), -h, c(2.0))
+        let (_, cos) = (s[1] + x[1] / c::<T>(2.0)).sin_cos();
+        Matrix2::new(p.inertia, h * p.weight * cos / c::<T>(2.0), -h, c::<T>(2.0))
     }
 
     fn guess<T: Number>(_: &Vector2<T>) -> Vector2<T> {

@@ -73,7 +73,7 @@ fn equations<T: Number>(
 /// cay(S(η)) turns by 2 atan η, so d cay(S(η))/dη = 2/(1 + η²) S₁ cay(S(η)); the kinematics are bilinear.
 fn derivative<T: Number>(p: &Planar<T>, h: T, now: &Vector2<T>, next: &Vector2<T>) -> Matrix2<T> {
     let rate = c::<T>(2.0) / (T::one() + next[1] * next[1]);
-    let turned = quarter_turn() * cayley(next[1]) * cayley(now[1]);
+    let turned = quarter_turn::<T>() * cayley(next[1]) * cayley(now[1]);
     Matrix2::new(
         p.inertia,
         h * p.weight * rate * lever(&turned),
@@ -85,8 +85,8 @@ fn derivative<T: Number>(p: &Planar<T>, h: T, now: &Vector2<T>, next: &Vector2<T
 /// cay(S(η)) = ((1 − η²) I + 2 S(η))/(1 + η²)
 fn cayley<T: Number>(eta: T) -> Matrix2<T> {
     let square = eta * eta;
-    let even = Matrix2::identity() * (T::one() - square);
-    (even + quarter_turn() * (c::<T>(2.0) * eta)) / (T::one() + square)
+    let even = Matrix2::<T>::identity() * (T::one() - square);
+    (even + quarter_turn::<T>() * (c::<T>(2.0) * eta)) / (T::one() + square)
 }
 
 /// e₂ᵀ A e₁

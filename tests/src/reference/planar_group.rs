@@ -28,7 +28,7 @@ impl Form<5, 5> for Next {
         s: &SVector<T, 5>,
         x: &SVector<T, 5>,
     ) -> SMatrix<T, 5, 5> {
-        blocks(p, h, &((x + s) / c(2.0)))
+        blocks(p, h, &((x + s) / c::<T>(2.0)))
     }
 
     fn guess<T: Number>(s: &SVector<T, 5>) -> SVector<T, 5> {
@@ -64,7 +64,7 @@ impl Form<5, 5> for Increment {
         s: &SVector<T, 5>,
         x: &SVector<T, 5>,
     ) -> SMatrix<T, 5, 5> {
-        blocks(p, h, &(s + x / c(2.0)))
+        blocks(p, h, &(s + x / c::<T>(2.0)))
     }
 
     fn guess<T: Number>(_: &SVector<T, 5>) -> SVector<T, 5> {
@@ -84,7 +84,7 @@ fn equations<T: Number>(
     sum: &SVector<T, 5>,
 ) -> SVector<T, 5> {
     let kinematics = |i: usize| -> Vector2<T> {
-        let turn = quarter_turn() * part::<T, 2, 5>(sum, i) * (h * sum[0]);
+        let turn = quarter_turn::<T>() * part::<T, 2, 5>(sum, i) * (h * sum[0]);
         part::<T, 2, 5>(difference, i) * c::<T>(4.0) + turn
     };
     let (a, b) = (kinematics(1), kinematics(3));
@@ -96,8 +96,8 @@ fn equations<T: Number>(
 /// to 2h ω[k+1/2] S₁ by Γ; gravity acts on e₁ᵀΓb alone.
 fn blocks<T: Number>(p: &Planar<T>, h: T, mean: &SVector<T, 5>) -> SMatrix<T, 5, 5> {
     let turn = quarter_turn::<T>() * (c::<T>(2.0) * h);
-    let by_gamma = Matrix2::identity() * c::<T>(4.0) + turn * mean[0];
-    let mut j = SMatrix::zeros();
+    let by_gamma = Matrix2::<T>::identity() * c::<T>(4.0) + turn * mean[0];
+    let mut j = SMatrix::<T, 5, 5>::zeros();
     j[(0, 0)] = c::<T>(2.0) * p.inertia;
     let gravity = plane_axis::<T>(0).transpose() * (h * p.weight);
     j.fixed_view_mut::<1, 2>(0, 3).copy_from(&gravity);

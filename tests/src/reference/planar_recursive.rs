@@ -38,9 +38,9 @@ impl Form<5, 5> for Increment {
     ) -> SMatrix<T, 5, 5> {
         let (e1, e2) = (plane_axis::<T>(0), plane_axis::<T>(1));
         let (a, b) = (part::<T, 2, 5>(x, 1), part::<T, 2, 5>(x, 3));
-        let turn = Matrix2::identity() * (h * (c::<T>(2.0) * s[0] + x[0]));
-        let four = Matrix2::identity() * c::<T>(4.0);
-        let mut j = SMatrix::zeros();
+        let turn = Matrix2::<T>::identity() * (h * (c::<T>(2.0) * s[0] + x[0]));
+        let four = Matrix2::<T>::identity() * c::<T>(4.0);
+        let mut j = SMatrix::<T, 5, 5>::zeros();
         j[(0, 0)] = c::<T>(2.0) * p.inertia;
         let gravity = e2.transpose() * attitude(s) * (h * p.weight);
         j.fixed_view_mut::<1, 2>(0, 1).copy_from(&gravity);

@@ -17,7 +17,7 @@ impl Form<3, 3> for Next {
         let sum = gamma_next + gamma;
         equations(
             c::<T>(2.0) * p.inertia * (x[0] - s[0]) + h * p.weight * sum.x,
-            (gamma_next - gamma) * c(4.0) + quarter_turn() * sum * (h * (x[0] + s[0])),
+            (gamma_next - gamma) * c::<T>(4.0) + quarter_turn::<T>() * sum * (h * (x[0] + s[0])),
         )
     }
 
@@ -49,7 +49,7 @@ impl Form<3, 3> for Increment {
         let sum = part::<T, 2, 3>(s, 1) * c::<T>(2.0) + change;
         equations(
             c::<T>(2.0) * p.inertia * x[0] + h * p.weight * sum.x,
-            change * c(4.0) + quarter_turn() * sum * (h * (c::<T>(2.0) * s[0] + x[0])),
+            change * c::<T>(4.0) + quarter_turn::<T>() * sum * (h * (c::<T>(2.0) * s[0] + x[0])),
         )
     }
 
@@ -71,13 +71,13 @@ impl Form<3, 3> for Increment {
 /// [[2J, h m g l e₁ᵀ], [h S₁ Γ, 4I + h ω S₁]] for the sums ω and Γ of both ends.
 fn blocks<T: Number>(p: &Planar<T>, h: T, omega: T, gamma: &Vector2<T>) -> Matrix3<T> {
     let turn = quarter_turn::<T>();
-    let mut j = Matrix3::zeros();
+    let mut j = Matrix3::<T>::zeros();
     j[(0, 0)] = c::<T>(2.0) * p.inertia;
     let gravity = plane_axis::<T>(0).transpose() * (h * p.weight);
     j.fixed_view_mut::<1, 2>(0, 1).copy_from(&gravity);
     let by_omega = turn * gamma * h;
     j.fixed_view_mut::<2, 1>(1, 0).copy_from(&by_omega);
-    let by_gamma = Matrix2::identity() * c::<T>(4.0) + turn * (h * omega);
+    let by_gamma = Matrix2::<T>::identity() * c::<T>(4.0) + turn * (h * omega);
     j.fixed_view_mut::<2, 2>(1, 1).copy_from(&by_gamma);
     j
 }

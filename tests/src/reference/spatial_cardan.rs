@@ -22,7 +22,7 @@ impl Form<6, 6> for Increment {
 
     fn residual<T: Number>(p: &Spatial<T>, h: T, s: &Vector6<T>, x: &Vector6<T>) -> Vector6<T> {
         let [px, py, pz] = half_turns(s, x);
-        let [e1, e2, e3] = [axis(0), axis(1), axis(2)];
+        let [e1, e2, e3] = [axis::<T>(0), axis::<T>(1), axis::<T>(2)];
         let vertical = pz * py * px * e3;
         let turn = pz * py * e1 * x[3] + pz * e2 * x[4] + e3 * x[5];
         equations(p, h, s, x, &vertical, &turn)
@@ -31,7 +31,7 @@ impl Form<6, 6> for Increment {
     /// Eq. 87 rederived: dP/dΔθ = −½ S(e) P = −½ P S(e) for each turn P, put in its place in the product.
     fn jacobian<T: Number>(p: &Spatial<T>, h: T, s: &Vector6<T>, x: &Vector6<T>) -> Matrix6<T> {
         let [px, py, pz] = half_turns(s, x);
-        let [e1, e2, e3] = [axis(0), axis(1), axis(2)];
+        let [e1, e2, e3] = [axis::<T>(0), axis::<T>(1), axis::<T>(2)];
         let vertical = [
             pz * py * skew(&e1) * px * e3,
             pz * skew(&e2) * py * px * e3,
@@ -61,7 +61,7 @@ impl Form<6, 6> for Printed {
 
     fn residual<T: Number>(p: &Spatial<T>, h: T, s: &Vector6<T>, x: &Vector6<T>) -> Vector6<T> {
         let [px, py, pz] = half_turns(s, x);
-        let [e1, e2, e3] = [axis(0), axis(1), axis(2)];
+        let [e1, e2, e3] = [axis::<T>(0), axis::<T>(1), axis::<T>(2)];
         let vertical = px * py * pz * e3;
         let turn = e1 * x[3] + px * e2 * x[4] + px * py * e3 * x[5];
         equations(p, h, s, x, &vertical, &turn)
@@ -70,7 +70,7 @@ impl Form<6, 6> for Printed {
     /// Eq. 87 as printed, U₁₂ to U₂₄ in their printed order.
     fn jacobian<T: Number>(p: &Spatial<T>, h: T, s: &Vector6<T>, x: &Vector6<T>) -> Matrix6<T> {
         let [px, py, pz] = half_turns(s, x);
-        let [e1, e2, e3] = [axis(0), axis(1), axis(2)];
+        let [e1, e2, e3] = [axis::<T>(0), axis::<T>(1), axis::<T>(2)];
         let vertical = [
             skew(&e1) * px * py * pz * e3,
             px * py * skew(&e2) * pz * e3,
@@ -122,12 +122,12 @@ fn blocks<T: Number>(
     turn: [Vector3<T>; 3],
 ) -> Matrix6<T> {
     let (omega, change) = (part::<T, 3, 6>(s, 0), part::<T, 3, 6>(x, 0));
-    let momentum = stiffness(p, h, &omega) + skew(&change) * p.inertia * h
-        - skew(&(p.inertia * change)) * h;
+    let momentum =
+        stiffness(p, h, &omega) + skew(&change) * p.inertia * h - skew(&(p.inertia * change)) * h;
     let gravity = p.weight * (c::<T>(2.0) * h);
     tile([
         [momentum, gravity * Matrix3::from_columns(&vertical)],
-        [Matrix3::identity() * h, Matrix3::from_columns(&turn)],
+        [Matrix3::<T>::identity() * h, Matrix3::from_columns(&turn)],
     ])
 }
 
@@ -140,7 +140,7 @@ fn stiffness<T: Number>(p: &Spatial<T>, h: T, omega: &Vector3<T>) -> Matrix3<T> 
 /// Rxᵀ, Ryᵀ and Rzᵀ at θ + Δθ/2.
 fn half_turns<T: Number>(s: &Vector6<T>, x: &Vector6<T>) -> [Matrix3<T>; 3] {
     let (o, i) = (T::zero(), T::one());
-    let [x, y, z] = [3, 4, 5].map(|k| (s[k] + x[k] / c(2.0)).sin_cos());
+    let [x, y, z] = [3, 4, 5].map(|k| (s[k] + x[k] / c::<T>(2.0)).sin_cos());
     [
         Matrix3::new(i, o, o, o, x.1, x.0, o, -x.0, x.1),
         Matrix3::new(y.1, o, -y.0, o, i, o, y.0, o, y.1),

@@ -82,7 +82,7 @@ impl<T: Number> Known<T> {
             t1: p.inertia * four + skew(&omega) * p.inertia * two - skew(&momentum) * two,
             t2: (skew(&omega) * momentum - p.weight * vertical) * (four * h),
             t3: p.weight * two,
-            t4: Matrix3::identity() * four + skew(&omega) * two,
+            t4: Matrix3::<T>::identity() * four + skew(&omega) * two,
         }
     }
 }

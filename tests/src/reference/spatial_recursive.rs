@@ -12,12 +12,7 @@ impl Form<12, 6> for Increment {
     const MODEL: &'static str = "spatial_recursive";
     const FORM: &'static str = "increment";
 
-    fn residual<T: Number>(
-        p: &Spatial<T>,
-        h: T,
-        s: &SVector<T, 12>,
-        x: &Vector6<T>,
-    ) -> Vector6<T> {
+    fn residual<T: Number>(p: &Spatial<T>, h: T, s: &SVector<T, 12>, x: &Vector6<T>) -> Vector6<T> {
         let k = Known::new(p, h, s);
         let (change, vertical) = (part::<T, 3, 6>(x, 0), part::<T, 3, 6>(x, 3));
         let turn = skew(&change) * h;
@@ -52,9 +47,9 @@ impl Form<12, 6> for Increment {
     fn next<T: Number>(h: T, s: &SVector<T, 12>, x: &Vector6<T>) -> SVector<T, 12> {
         let change = part::<T, 3, 6>(x, 0);
         let omega = part::<T, 3, 12>(s, 0);
-        let eta = (omega + change / c(2.0)) * (h / c(2.0));
+        let eta = (omega + change / c::<T>(2.0)) * (h / c::<T>(2.0));
         let r = attitude(s) * cayley(&eta);
-        let mut next = SVector::zeros();
+        let mut next = SVector::<T, 12>::zeros();
         next.fixed_rows_mut::<3>(0).copy_from(&(omega + change));
         for i in 0..3 {
             let row = r.row(i).transpose();
@@ -87,7 +82,7 @@ impl<T: Number> Known<T> {
             k3,
             k4,
             k5: skew(&omega) * k3 * two - k3 * c::<T>(4.0),
-            k6: Matrix3::identity() * c::<T>(4.0) + skew(&omega) * two,
+            k6: Matrix3::<T>::identity() * c::<T>(4.0) + skew(&omega) * two,
         }
     }
 }
@@ -99,7 +94,7 @@ fn attitude<T: Number>(s: &SVector<T, 12>) -> Matrix3<T> {
 /// cay(S(η)) = ((1 − ηᵀη) I + 2 S(η) + 2 η ηᵀ)/(1 + ηᵀη), Eq. 22.
 fn cayley<T: Number>(eta: &Vector3<T>) -> Matrix3<T> {
     let square = (eta.transpose() * eta).x;
-    let even = Matrix3::identity() * (T::one() - square);
+    let even = Matrix3::<T>::identity() * (T::one() - square);
     let odd = (skew(eta) + eta * eta.transpose()) * c::<T>(2.0);
     (even + odd) / (T::one() + square)
 }

@@ -30,7 +30,10 @@ impl Form<6, 6> for Next {
         let (omega, vertical) = (part::<T, 3, 6>(x, 0), part::<T, 3, 6>(x, 3));
         let turn = skew(&omega) * h;
         tile([
-            [q.c - skew(&(p.inertia * omega)) * h + turn * p.inertia, -q.d],
+            [
+                q.c - skew(&(p.inertia * omega)) * h + turn * p.inertia,
+                -q.d,
+            ],
             [-skew(&(vertical + gamma)) * h, q.e + turn],
         ])
     }
@@ -65,7 +68,7 @@ impl<T: Number> Next77<T> {
             b: turn * gamma - gamma * four,
             c: p.inertia * four + turn * p.inertia - skew(&momentum) * h,
             d,
-            e: Matrix3::identity() * four + turn,
+            e: Matrix3::<T>::identity() * four + turn,
         }
     }
 }
@@ -94,7 +97,10 @@ impl Form<6, 6> for Increment {
         let (omega, gamma) = (part::<T, 3, 6>(x, 0), part::<T, 3, 6>(x, 3));
         let turn = skew(&omega) * h;
         tile([
-            [w.w1 - skew(&(p.inertia * omega)) * h + turn * p.inertia, -w.w5],
+            [
+                w.w1 - skew(&(p.inertia * omega)) * h + turn * p.inertia,
+                -w.w5,
+            ],
             [-w.w6 - skew(&gamma) * h, turn + w.w3],
         ])
     }
@@ -126,7 +132,7 @@ impl<T: Number> Increment80<T> {
         Increment80 {
             w1: p.inertia * four - skew(&momentum) * two + skew(&omega) * p.inertia * two,
             w2: (skew(&omega) * momentum - p.weight * gamma) * (four * h),
-            w3: skew(&omega) * two + Matrix3::identity() * four,
+            w3: skew(&omega) * two + Matrix3::<T>::identity() * four,
             w4: skew(&omega) * gamma * (four * h),
             w5: p.weight * two,
             w6: skew(&gamma) * two,
