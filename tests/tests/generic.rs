@@ -229,7 +229,10 @@ fn steps_converge_to_the_flow() {
             distance(&last, &truth)
         };
         let (coarse, fine) = (error(200), error(400));
-        assert!(coarse < 0.1 && coarse / fine >= 3.7, "{what}: {coarse:e}, {fine:e}");
+        assert!(
+            coarse < 0.1 && coarse / fine >= 3.7,
+            "{what}: {coarse:e}, {fine:e}"
+        );
     });
 }
 
