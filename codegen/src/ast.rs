@@ -97,6 +97,23 @@ pub enum ExprKind {
     Blocks(Vec<Vec<ExprId>>),
 }
 
+impl ExprKind {
+    /// The expressions it is made of, left to right.
+    pub fn operands(&self) -> Vec<ExprId> {
+        match self {
+            ExprKind::Number(_)
+            | ExprKind::Name(..)
+            | ExprKind::Increment(_)
+            | ExprKind::Rate(_) => Vec::new(),
+            ExprKind::Neg(a) | ExprKind::Transpose(a) | ExprKind::Field(a, _) => vec![*a],
+            ExprKind::Binary(_, a, b) => vec![*a, *b],
+            ExprKind::Call(_, list) | ExprKind::Stack(list) => list.clone(),
+            ExprKind::Component(a, indices) => [&[*a], indices.as_slice()].concat(),
+            ExprKind::Blocks(rows) => rows.concat(),
+        }
+    }
+}
+
 /// `: [3, 3] kg*m^2` behind a name. Both halves are optional.
 #[derive(Clone, Debug, Default)]
 pub struct TypeExpr {
@@ -172,8 +189,8 @@ pub struct Claim {
     pub label: String,
     /// `require` in front: a difference is an error, not a finding.
     pub required: bool,
-    /// The matrix: usually [`ExprKind::Blocks`].
-    pub matrix: ExprId,
+    /// Block rows as written, each block with its source text, blanks normalised.
+    pub blocks: Vec<Vec<(ExprId, String)>>,
     /// From `claim` to the closing brace.
     pub range: Range,
 }
@@ -233,13 +250,21 @@ pub enum Item {
     Claim(Claim),
 }
 
+/// A lone expression, such as a value on the command line.
+#[derive(Clone, Debug)]
+pub struct Expression {
+    /// Its parts, operands before users.
+    pub exprs: Vec<Expr>,
+    /// All of it.
+    pub root: ExprId,
+}
+
 /// A parsed model file.
 #[derive(Clone, Debug)]
 pub struct Ast {
     /// The model's name: the stem of its file.
     pub name: String,
-    /// `///` lines before the first item that are set apart as the model's own: the `//!` lines,
-    /// or the `///` lines at the very top when a blank line or none follows.
+    /// The model's own doc: its `//!` lines, or without them the `///` lines at the very top.
     pub doc: Vec<String>,
     /// The statements in file order.
     pub items: Vec<Item>,

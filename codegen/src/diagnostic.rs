@@ -78,6 +78,11 @@ impl Errors {
         });
     }
 
+    /// Adds a mistake that is already written down.
+    pub fn add(&mut self, diagnostic: Diagnostic) {
+        self.list.push(diagnostic);
+    }
+
     /// Nothing found so far.
     pub fn is_empty(&self) -> bool {
         self.list.is_empty()
@@ -98,6 +103,14 @@ impl Errors {
             Ok(value)
         } else {
             Err(self)
+        }
+    }
+}
+
+impl From<Diagnostic> for Errors {
+    fn from(diagnostic: Diagnostic) -> Self {
+        Self {
+            list: vec![diagnostic],
         }
     }
 }

@@ -11,6 +11,7 @@ use crate::diagnostic::Range;
 use crate::function::Function;
 use crate::unit::Unit;
 use num_rational::BigRational;
+use std::fmt;
 
 /// Rows and columns. A scalar is 1×1, a vector n×1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,7 +31,8 @@ impl Shape {
         Self { rows: n, cols: 1 }
     }
 
-    /// Number of components; components are numbered row by row.
+    /// Number of components, never 0; they are numbered row by row.
+    #[expect(clippy::len_without_is_empty, reason = "no shape is empty")]
     pub fn len(self) -> usize {
         self.rows * self.cols
     }
@@ -38,6 +40,17 @@ impl Shape {
     /// True for 1×1.
     pub fn is_scalar(self) -> bool {
         self == Self::SCALAR
+    }
+}
+
+/// `scalar`, `3-vector` or `2×3 matrix`.
+impl fmt::Display for Shape {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match (self.rows, self.cols) {
+            (1, 1) => f.write_str("scalar"),
+            (n, 1) => write!(f, "{n}-vector"),
+            (n, m) => write!(f, "{n}×{m} matrix"),
+        }
     }
 }
 
@@ -54,6 +67,22 @@ pub struct Variable {
     pub doc: Vec<String>,
     /// Position of its first component in the flat list of its kind.
     pub offset: usize,
+}
+
+impl Variable {
+    /// What is appended to the name for a component: nothing for a scalar, `.x` `.y` `.z` for short
+    /// vectors, `.4` for long ones, `.12` for the entry in row 1, column 2 of a matrix.
+    pub fn component_suffix(&self, component: usize) -> String {
+        let Shape { rows, cols } = self.shape;
+        let (row, col) = (component / cols, component % cols);
+        match (rows, cols) {
+            (1, 1) => String::new(),
+            (2..=3, 1) => format!(".{}", ["x", "y", "z"][row]),
+            (_, 1) => format!(".{}", row + 1),
+            _ if rows < 10 && cols < 10 => format!(".{}{}", row + 1, col + 1),
+            _ => format!(".{}_{}", row + 1, col + 1),
+        }
+    }
 }
 
 /// A parameter and its default.
@@ -200,6 +229,30 @@ pub enum Op {
     },
     /// A function of the language.
     Call(Function, Vec<ExprId>),
+}
+
+impl Op {
+    /// The expressions it is made of, left to right.
+    pub fn operands(&self) -> Vec<ExprId> {
+        match self {
+            Op::Number(_)
+            | Op::Pi
+            | Op::Identity
+            | Op::Parameter(_)
+            | Op::State(..)
+            | Op::Increment(_)
+            | Op::Rate(_)
+            | Op::Unknown(_)
+            | Op::Time(_)
+            | Op::StepSize => Vec::new(),
+            Op::Neg(a) | Op::Transpose(a) | Op::Component(a, ..) => vec![*a],
+            Op::Add(a, b) | Op::Sub(a, b) | Op::Mul(a, b) | Op::Div(a, b) | Op::Pow(a, b) => {
+                vec![*a, *b]
+            }
+            Op::Blocks { rows, .. } => rows.concat(),
+            Op::Call(_, arguments) => arguments.clone(),
+        }
+    }
 }
 
 /// A checked model.

@@ -1,1 +1,8 @@
-//! Test helpers.
+//! What the tests share: equations and Jacobians written by hand, and the arithmetic to judge them with.
+
+pub mod case;
+pub mod measured;
+pub mod number;
+pub mod points;
+pub mod reference;
+pub mod reference_data;

@@ -1,0 +1,242 @@
+//! The names that a model declares.
+
+use crate::ast::Ast;
+use crate::ast::ExprId;
+use crate::ast::Item;
+use crate::ast::Name;
+use crate::ast::OutputKind;
+use crate::ast::TypeExpr;
+use crate::diagnostic::Errors;
+use crate::function::Function;
+use std::collections::BTreeMap;
+
+/// Words of the grammar that cannot be names.
+const KEYWORDS: [&str; 14] = [
+    "param",
+    "state",
+    "unknown",
+    "let",
+    "flow",
+    "residual",
+    "solve",
+    "update",
+    "start",
+    "invariant",
+    "observe",
+    "claim",
+    "require",
+    "for",
+];
+
+/// Shortest name for which a misspelling is guessed: with fewer letters everything is similar.
+const SHORTEST_GUESSED: usize = 3;
+
+/// What a name stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    Parameter,
+    State,
+    Unknown,
+    Let,
+    Output(OutputKind),
+}
+
+impl Kind {
+    /// The kind in words.
+    pub(super) fn noun(self) -> &'static str {
+        match self {
+            Kind::Parameter => "a parameter",
+            Kind::State => "a state",
+            Kind::Unknown => "an unknown",
+            Kind::Let => "a `let`",
+            Kind::Output(OutputKind::Invariant) => "an invariant",
+            Kind::Output(OutputKind::Observable) => "an observable",
+        }
+    }
+}
+
+/// A name that is there without being declared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Builtin {
+    Pi,
+    Identity,
+    StepSize,
+    Time,
+    Counter,
+    Rate,
+    Increment,
+}
+
+impl Builtin {
+    /// The builtin called `ascii`.
+    pub(super) fn named(ascii: &str) -> Option<Builtin> {
+        Some(match ascii {
+            "pi" => Builtin::Pi,
+            "I" => Builtin::Identity,
+            "h" => Builtin::StepSize,
+            "t" => Builtin::Time,
+            "k" => Builtin::Counter,
+            "der" => Builtin::Rate,
+            "Delta" => Builtin::Increment,
+            _ => return None,
+        })
+    }
+
+    /// What it is, in words.
+    pub(super) fn noun(self) -> &'static str {
+        match self {
+            Builtin::Pi => "the number π",
+            Builtin::Identity => "the identity matrix",
+            Builtin::StepSize => "the step size",
+            Builtin::Time => "the time",
+            Builtin::Counter => "the step counter of `x[k+1]`",
+            Builtin::Rate => "the rate `der(x)`",
+            Builtin::Increment => "the increment `Delta(x)`",
+        }
+    }
+}
+
+/// A declaration.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Symbol<'a> {
+    pub(super) kind: Kind,
+    /// Position among the declarations of its kind, invariants and observables counted together.
+    pub(super) index: usize,
+    pub(super) name: &'a Name,
+    pub(super) doc: &'a [String],
+    /// Shape and unit; a `let` has none.
+    pub(super) ty: Option<&'a TypeExpr>,
+    /// Default, first guess or value; a state has none.
+    pub(super) value: Option<ExprId>,
+}
+
+/// All declarations in file order, duplicates left out.
+#[derive(Debug)]
+pub(super) struct Symbols<'a> {
+    pub(super) list: Vec<Symbol<'a>>,
+    by_name: BTreeMap<&'a str, usize>,
+}
+
+impl<'a> Symbols<'a> {
+    /// Collects the declarations; complains about reserved and repeated names.
+    pub(super) fn collect(ast: &'a Ast, errors: &mut Errors) -> Self {
+        let mut symbols = Symbols {
+            list: Vec::new(),
+            by_name: BTreeMap::new(),
+        };
+        for mut symbol in ast.items.iter().filter_map(declaration) {
+            complain_if_reserved(symbol.name, errors);
+            let name = symbol.name;
+            if let Some(&first) = symbols.by_name.get(name.ascii.as_str()) {
+                let first: &Symbol = &symbols.list[first];
+                let (shown, line) = (&name.display, first.name.range.line());
+                let noun = first.kind.noun();
+                let spelling = if first.name.display == *shown {
+                    String::new()
+                } else {
+                    format!(" and the same name as `{}`", first.name.display)
+                };
+                let message = format!("`{shown}` is already {noun} in line {line}{spelling}");
+                errors.push(name.range, message);
+                continue;
+            }
+            symbol.index = symbols.of_kind(symbol.kind).count();
+            symbols.by_name.insert(&name.ascii, symbols.list.len());
+            symbols.list.push(symbol);
+        }
+        symbols
+    }
+
+    /// Position in the list of the declaration of `name`.
+    pub(super) fn find(&self, name: &Name) -> Option<usize> {
+        self.by_name.get(name.ascii.as_str()).copied()
+    }
+
+    /// The declarations of one kind, in file order, with their positions in the list.
+    pub(super) fn of_kind(&self, kind: Kind) -> impl Iterator<Item = (usize, &Symbol<'a>)> {
+        let same = move |other: Kind| match (kind, other) {
+            (Kind::Output(_), Kind::Output(_)) => true,
+            _ => kind == other,
+        };
+        self.list
+            .iter()
+            .enumerate()
+            .filter(move |(_, symbol)| same(symbol.kind))
+    }
+
+    /// What the author of an unknown name may have meant.
+    pub(super) fn similar(&self, name: &Name) -> Option<&str> {
+        let distance = |candidate: &str| {
+            if candidate.eq_ignore_ascii_case(&name.ascii) {
+                return Some(0);
+            }
+            let shortest = candidate.len().min(name.ascii.len());
+            let distance = strsim::damerau_levenshtein(candidate, &name.ascii);
+            (shortest >= SHORTEST_GUESSED && distance <= 1 + shortest / 6).then_some(distance)
+        };
+        self.list
+            .iter()
+            .filter(|symbol| !matches!(symbol.kind, Kind::Output(_)))
+            .filter_map(|symbol| Some((distance(&symbol.name.ascii)?, &symbol.name.display)))
+            .min_by_key(|(distance, _)| *distance)
+            .map(|(_, display)| display.as_str())
+    }
+}
+
+/// The declaration in a statement, its index still to be found.
+fn declaration(item: &Item) -> Option<Symbol<'_>> {
+    let (kind, name, doc, ty, value) = match item {
+        Item::Parameter(d) => (
+            Kind::Parameter,
+            &d.name,
+            d.doc.as_slice(),
+            Some(&d.ty),
+            d.value,
+        ),
+        Item::State(d) => (Kind::State, &d.name, d.doc.as_slice(), Some(&d.ty), None),
+        Item::Unknown(d) => (
+            Kind::Unknown,
+            &d.name,
+            d.doc.as_slice(),
+            Some(&d.ty),
+            d.value,
+        ),
+        Item::Let(name, value) => (Kind::Let, name, [].as_slice(), None, Some(*value)),
+        Item::Output(o) => (
+            Kind::Output(o.kind),
+            &o.name,
+            o.doc.as_slice(),
+            Some(&o.ty),
+            Some(o.value),
+        ),
+        Item::Flow(..)
+        | Item::Residual(..)
+        | Item::SolveFor(..)
+        | Item::Update(..)
+        | Item::Start(..)
+        | Item::Claim(_) => return None,
+    };
+    Some(Symbol {
+        kind,
+        index: 0,
+        name,
+        doc,
+        ty,
+        value,
+    })
+}
+
+fn complain_if_reserved(name: &Name, errors: &mut Errors) {
+    let ascii = name.ascii.as_str();
+    let meaning = if let Some(builtin) = Builtin::named(ascii) {
+        builtin.noun()
+    } else if Function::named(ascii).is_some() {
+        "a function"
+    } else if KEYWORDS.contains(&ascii) {
+        "a keyword"
+    } else {
+        return;
+    };
+    let message = format!("`{}` is {meaning}, expected another name", name.display);
+    errors.push(name.range, message);
+}

@@ -1,0 +1,226 @@
+//! Statements.
+
+use super::Parser;
+use super::cursor::Cursor;
+use super::cursor::Parsed;
+use super::expression::missing_operator;
+use super::tokens::Kind;
+use super::types;
+use crate::ast::Declaration;
+use crate::ast::Form;
+use crate::ast::Item;
+use crate::ast::Name;
+use crate::ast::Output;
+use crate::ast::OutputKind;
+use crate::ast::TypeExpr;
+use crate::diagnostic::Diagnostic;
+use crate::diagnostic::Range;
+
+/// The words that begin a statement.
+pub(super) const KEYWORDS: [&str; 13] = [
+    "param",
+    "state",
+    "unknown",
+    "let",
+    "flow",
+    "residual",
+    "solve",
+    "update",
+    "start",
+    "invariant",
+    "observe",
+    "require",
+    "claim",
+];
+
+/// Least Jaro-Winkler similarity, from 0 to 1, of a word to the keyword it was meant to be.
+/// `parameter` has 0.91 to `param`, `invariants` 0.98, unrelated words less than 0.7.
+const SIMILAR: f64 = 0.8;
+
+/// True where a statement begins.
+pub(super) fn is_keyword(kind: Option<&Kind>) -> bool {
+    matches!(kind, Some(Kind::Ident(text)) if KEYWORDS.contains(&text.as_str()))
+}
+
+impl Parser {
+    /// The statement that the cursor stands at; `doc` are the lines above it.
+    pub(super) fn statement(&mut self, cursor: &mut Cursor, doc: Vec<String>) -> Parsed<Item> {
+        let keyword = cursor.here();
+        let word = match cursor.peek() {
+            Some(Kind::Ident(word)) => word.as_str(),
+            _ => return Err(no_statement(*cursor)),
+        };
+        if !KEYWORDS.contains(&word) {
+            return Err(no_statement(*cursor));
+        }
+        cursor.skip();
+        match word {
+            "param" => self.valued(cursor, doc, "a default").map(Item::Parameter),
+            "unknown" => self.valued(cursor, doc, "a first guess").map(Item::Unknown),
+            "state" => self.state(cursor, doc).map(Item::State),
+            "let" => self.abbreviation(cursor),
+            "flow" => Ok(Item::Flow(
+                self.equations(cursor, "write `der(x) = …;`")?,
+                keyword,
+            )),
+            "residual" => Ok(Item::Residual(
+                self.equations(cursor, "write `… = 0;`")?,
+                keyword,
+            )),
+            "update" => Ok(Item::Update(self.assignments(cursor)?, keyword)),
+            "start" => Ok(Item::Start(self.assignments(cursor)?, keyword)),
+            "solve" => self.solve_for(cursor, keyword),
+            "invariant" => self.output(cursor, doc, OutputKind::Invariant),
+            "observe" => self.output(cursor, doc, OutputKind::Observable),
+            "require" => self.claim(cursor, keyword, true),
+            _ => self.claim(cursor, keyword, false),
+        }
+    }
+
+    /// `NAME: TYPE = VALUE;` of a parameter or an unknown; `value` says what the value is.
+    fn valued(
+        &mut self,
+        cursor: &mut Cursor,
+        doc: Vec<String>,
+        value: &str,
+    ) -> Parsed<Declaration> {
+        let name = declared_name(cursor)?;
+        let ty = types::parse(cursor)?;
+        if !cursor.eat_punct('=') {
+            let mut diagnostic = cursor.unexpected(&format!("`=` and {value}"));
+            diagnostic.help = unit_without_colon(*cursor, &ty);
+            return Err(diagnostic);
+        }
+        let value = Some(self.expression(cursor)?);
+        self.semicolon(cursor)?;
+        Ok(Declaration {
+            doc,
+            name,
+            ty,
+            value,
+        })
+    }
+
+    fn state(&mut self, cursor: &mut Cursor, doc: Vec<String>) -> Parsed<Declaration> {
+        let name = declared_name(cursor)?;
+        let ty = types::parse(cursor)?;
+        if cursor.peeks_punct('=') {
+            let mut diagnostic = cursor.unexpected("`;`");
+            let name = &name.display;
+            diagnostic.help = Some(format!("a state begins in `start {{ {name} = …; }}`"));
+            return Err(diagnostic);
+        }
+        self.semicolon(cursor)?;
+        Ok(Declaration {
+            doc,
+            name,
+            ty,
+            value: None,
+        })
+    }
+
+    fn abbreviation(&mut self, cursor: &mut Cursor) -> Parsed<Item> {
+        let name = declared_name(cursor)?;
+        if !cursor.eat_punct('=') {
+            let mut diagnostic = cursor.unexpected("`=`");
+            if cursor.peeks_punct(':') {
+                diagnostic.help = Some("the type of a `let` is that of its value".to_owned());
+            }
+            return Err(diagnostic);
+        }
+        let value = self.expression(cursor)?;
+        self.semicolon(cursor)?;
+        Ok(Item::Let(name, value))
+    }
+
+    fn output(&mut self, cursor: &mut Cursor, doc: Vec<String>, kind: OutputKind) -> Parsed<Item> {
+        let name = declared_name(cursor)?;
+        let ty = types::parse(cursor)?;
+        if !cursor.eat_punct('=') {
+            let mut diagnostic = cursor.unexpected("`=` and a value");
+            diagnostic.help = unit_without_colon(*cursor, &ty);
+            return Err(diagnostic);
+        }
+        let value = self.expression(cursor)?;
+        self.semicolon(cursor)?;
+        Ok(Item::Output(Output {
+            doc,
+            kind,
+            name,
+            ty,
+            value,
+        }))
+    }
+
+    fn solve_for(&mut self, cursor: &mut Cursor, keyword: Range) -> Parsed<Item> {
+        if !cursor.eat_word("for") {
+            return Err(cursor.unexpected("`for`"));
+        }
+        let mut forms = Vec::new();
+        loop {
+            let range = cursor.here();
+            let form = [Form::Next, Form::Increment]
+                .into_iter()
+                .find(|form| cursor.eat_word(form.keyword()));
+            let form = form.ok_or_else(|| cursor.unexpected("`next` or `increment`"))?;
+            forms.push((form, range));
+            if !cursor.eat_punct(',') {
+                break;
+            }
+        }
+        self.semicolon(cursor)?;
+        Ok(Item::SolveFor(forms, keyword))
+    }
+
+    /// The end of a statement. Where the next one plainly begins, a missing `;` is a mistake of its
+    /// own and reading goes on.
+    pub(super) fn semicolon(&mut self, cursor: &mut Cursor) -> Parsed<()> {
+        if cursor.eat_punct(';') {
+            return Ok(());
+        }
+        let ends = cursor.is_at_end() || cursor.starts_a_line() || is_keyword(cursor.peek());
+        if !ends {
+            return Err(missing_operator(*cursor, "an operator or `;`"));
+        }
+        let message = format!("expected `;` after this, found {}", cursor.found());
+        self.errors.push(cursor.previous(), message);
+        Ok(())
+    }
+}
+
+/// The name behind a keyword. A keyword in its place is taken for a name, which `check` rejects,
+/// unless it begins the next statement.
+fn declared_name(cursor: &mut Cursor) -> Parsed<Name> {
+    let next = cursor.peek_at(1);
+    if is_keyword(cursor.peek()) && matches!(next, Some(Kind::Ident(_) | Kind::Open(..))) {
+        return Err(cursor.unexpected("a name"));
+    }
+    cursor.expect_name()
+}
+
+/// `param m kg = 2`: the colon is missing.
+fn unit_without_colon(cursor: Cursor, ty: &TypeExpr) -> Option<String> {
+    let no_type = ty.shape.is_none() && ty.unit.is_none();
+    let looks_like_a_type = matches!(cursor.peek(), Some(Kind::Ident(_) | Kind::Open(..)));
+    (no_type && looks_like_a_type && !cursor.starts_a_line())
+        .then(|| "write `:` before a shape or a unit".to_owned())
+}
+
+/// No keyword here.
+fn no_statement(cursor: Cursor) -> Diagnostic {
+    let mut diagnostic = cursor.unexpected("a statement");
+    let Some(Kind::Ident(word)) = cursor.peek() else {
+        return diagnostic;
+    };
+    let best = KEYWORDS
+        .iter()
+        .map(|keyword| (strsim::jaro_winkler(word, keyword), keyword))
+        .filter(|(similarity, _)| *similarity > SIMILAR)
+        .max_by(|a, b| a.0.total_cmp(&b.0));
+    diagnostic.help = match (best, cursor.peek_at(1)) {
+        (Some((_, keyword)), _) => Some(format!("did you mean `{keyword}`?")),
+        (None, Some(Kind::Punct('='))) => Some(format!("write `let {word} = …;`")),
+        (None, _) => Some(format!("a statement begins with {}", KEYWORDS.join(", "))),
+    };
+    diagnostic
+}
