@@ -171,6 +171,3 @@ fn first_not_finite<T: Real>(values: &[T]) -> Option<(usize, f64)> {
     let position = values.iter().position(|value| !value.is_finite())?;
     Some((position, values[position].to_f64()))
 }
-
-#[cfg(test)]
-mod tests;
