@@ -51,7 +51,7 @@ pub struct StepError {
     pub fault: Fault,
     /// Steps completed before.
     pub step: u64,
-    /// The time at which the failed step starts, [s] where the model has units.
+    /// The time at which the failed step starts, in s where the model has units.
     pub t: f64,
     /// The corrections of the failed step.
     pub history: History,
