@@ -14,9 +14,12 @@
 //! the graph is a loop.
 
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
+use num_traits::One;
 use std::collections::HashMap;
 use std::fmt;
+
+mod evaluate;
+mod text;
 
 /// Index of a node in its [`Dag`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -120,4 +123,170 @@ pub enum Node {
     Product(Vec<(NodeId, i32)>),
     /// f(n, …)
     Call(Elementary, Vec<NodeId>),
+}
+
+/// The graph: a list of distinct nodes, operands before users.
+#[derive(Clone, Debug, Default)]
+pub struct Dag {
+    nodes: Vec<Node>,
+    rates: Vec<Rate>,
+    index: HashMap<Node, NodeId>,
+}
+
+impl Dag {
+    /// A graph without nodes.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// The node behind an id.
+    pub fn node(&self, id: NodeId) -> &Node {
+        &self.nodes[id.index()]
+    }
+
+    /// All nodes, operands before users.
+    pub fn nodes(&self) -> &[Node] {
+        &self.nodes
+    }
+
+    /// How often each node changes.
+    pub fn rates(&self) -> &[Rate] {
+        &self.rates
+    }
+
+    /// How often a node changes.
+    pub fn rate(&self, id: NodeId) -> Rate {
+        self.rates[id.index()]
+    }
+
+    /// The operands of a node, first to last.
+    pub fn operands(&self, id: NodeId) -> Vec<NodeId> {
+        operands(self.node(id))
+    }
+
+    /// The value of a node that is a plain number.
+    pub fn as_constant(&self, id: NodeId) -> Option<&BigRational> {
+        match self.node(id) {
+            Node::Constant(value) => Some(value),
+            _ => None,
+        }
+    }
+
+    /// True for the number 0.
+    pub fn is_zero(&self, id: NodeId) -> bool {
+        self.as_constant(id).is_some_and(num_traits::Zero::is_zero)
+    }
+
+    /// A node as coefficient times the rest: `(−2, x)` for −2x, `(1, x)` for x.
+    pub fn split_coefficient(&self, id: NodeId) -> (BigRational, NodeId) {
+        match self.node(id) {
+            Node::Sum(terms) if terms.len() == 1 => terms[0].clone(),
+            _ => (BigRational::one(), id),
+        }
+    }
+
+    /// For each node whether one of `roots` needs it.
+    pub fn reachable(&self, roots: &[NodeId]) -> Vec<bool> {
+        let mut seen = vec![false; self.nodes.len()];
+        for root in roots {
+            seen[root.index()] = true;
+        }
+        for i in (0..self.nodes.len()).rev() {
+            if seen[i] {
+                for operand in operands(&self.nodes[i]) {
+                    seen[operand.index()] = true;
+                }
+            }
+        }
+        seen
+    }
+
+    /// For each node whether it depends on a leaf that `is_variable` accepts.
+    pub fn dependence(&self, is_variable: impl Fn(Leaf) -> bool) -> Vec<bool> {
+        let mut depends = vec![false; self.nodes.len()];
+        for (i, node) in self.nodes.iter().enumerate() {
+            depends[i] = match node {
+                Node::Leaf(leaf) => is_variable(*leaf),
+                _ => operands(node).iter().any(|o| depends[o.index()]),
+            };
+        }
+        depends
+    }
+
+    /// The id of `node`, which must be in normal form: only `normal` calls this.
+    pub(crate) fn intern(&mut self, node: Node) -> NodeId {
+        if let Some(&id) = self.index.get(&node) {
+            return id;
+        }
+        let id = NodeId(u32::try_from(self.nodes.len()).expect("a graph of 2^32 nodes"));
+        let rate = match &node {
+            Node::Leaf(leaf) => leaf.rate(),
+            _ => operands(&node)
+                .iter()
+                .map(|o| self.rate(*o))
+                .max()
+                .unwrap_or(Rate::Scene),
+        };
+        self.rates.push(rate);
+        self.nodes.push(node.clone());
+        self.index.insert(node, id);
+        id
+    }
+
+    /// Checks what every pass relies on: operands stand before users, nodes are distinct.
+    ///
+    /// # Errors
+    /// Says which node breaks which rule.
+    pub fn verify(&self) -> Result<(), String> {
+        for (i, node) in self.nodes.iter().enumerate() {
+            if operands(node).iter().any(|o| o.index() >= i) {
+                return Err(format!(
+                    "node {i} uses a node that does not stand before it"
+                ));
+            }
+            if self.index.get(node).map(|id| id.index()) != Some(i) {
+                return Err(format!("node {i} stands twice"));
+            }
+        }
+        Ok(())
+    }
+}
+
+fn operands(node: &Node) -> Vec<NodeId> {
+    match node {
+        Node::Constant(_) | Node::Pi | Node::Leaf(_) => Vec::new(),
+        Node::Sum(terms) => terms.iter().map(|t| t.1).collect(),
+        Node::Product(factors) => factors.iter().map(|f| f.0).collect(),
+        Node::Call(_, arguments) => arguments.clone(),
+    }
+}
+
+impl fmt::Display for Dag {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, node) in self.nodes.iter().enumerate() {
+            write!(f, "%{i} = ")?;
+            match node {
+                Node::Constant(value) => writeln!(f, "{value}")?,
+                Node::Pi => writeln!(f, "π")?,
+                Node::Leaf(leaf) => writeln!(f, "{leaf:?}")?,
+                Node::Sum(terms) => {
+                    let terms: Vec<_> =
+                        terms.iter().map(|(c, n)| format!("{c} %{}", n.0)).collect();
+                    writeln!(f, "{}", terms.join(" + "))?;
+                }
+                Node::Product(factors) => {
+                    let factors: Vec<_> = factors
+                        .iter()
+                        .map(|(n, e)| format!("%{}^{e}", n.0))
+                        .collect();
+                    writeln!(f, "{}", factors.join(" "))?;
+                }
+                Node::Call(function, arguments) => {
+                    let arguments: Vec<_> = arguments.iter().map(|n| format!("%{}", n.0)).collect();
+                    writeln!(f, "{function:?}({})", arguments.join(", "))?;
+                }
+            }
+        }
+        Ok(())
+    }
 }

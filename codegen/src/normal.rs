@@ -1,0 +1,397 @@
+//! The constructors of the graph: every node they return is in normal form.
+//!
+//! - A sum holds each term once, with a rational coefficient; sums inside it are merged into it, and
+//!   small integer contents and the sign of the first term are taken out in front, so that `a − b`,
+//!   `b − a` and `(a − b)/2` share one node.
+//! - A product holds each factor once, with an integer exponent; coefficients are taken out in front.
+//! - A rational times a node is a sum of one term.
+//! - Functions of an exact argument with an exact value are that value; odd and even functions take
+//!   no negative coefficient as their argument.
+//!
+//! | rewrite | exact in floating point |
+//! |---|---|
+//! | merging, cancelling, reordering of terms and factors | no: the rounding changes, the value does not |
+//! | taking out ±1 and powers of two | yes |
+//! | `sqrt(x)^2 = x`, `sin(−x) = −sin x`, `sin 0 = 0`, … | in exact arithmetic |
+
+use crate::dag::Dag;
+use crate::dag::Elementary;
+use crate::dag::Leaf;
+use crate::dag::Node;
+use crate::dag::NodeId;
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::One;
+use num_traits::Signed;
+use num_traits::ToPrimitive;
+use num_traits::Zero;
+use std::collections::BTreeMap;
+
+/// Most terms of a sum, or factors of a product, that are merged into a larger one. Larger merges
+/// less and shares more; without a bound a chain of sums would grow quadratically.
+const MERGED: usize = 24;
+
+/// Largest numerator and denominator of a content that is taken out of a sum. Larger shares more
+/// and turns decimal coefficients into unwieldy integers.
+const CONTENT: u32 = 64;
+
+/// Largest exponent that products of powers are merged into.
+const EXPONENT: i32 = 1 << 12;
+
+/// Most bits of a number that a power is folded into.
+const BITS: u64 = 1 << 14;
+
+impl Dag {
+    /// A number.
+    pub fn constant(&mut self, value: BigRational) -> NodeId {
+        self.intern(Node::Constant(value))
+    }
+
+    /// A whole number.
+    pub fn integer(&mut self, value: i64) -> NodeId {
+        self.constant(rational(value))
+    }
+
+    /// π
+    pub fn pi(&mut self) -> NodeId {
+        self.intern(Node::Pi)
+    }
+
+    /// An input.
+    pub fn leaf(&mut self, leaf: Leaf) -> NodeId {
+        self.intern(Node::Leaf(leaf))
+    }
+
+    /// a + b
+    pub fn add(&mut self, a: NodeId, b: NodeId) -> NodeId {
+        self.sum([(BigRational::one(), a), (BigRational::one(), b)])
+    }
+
+    /// a − b
+    pub fn sub(&mut self, a: NodeId, b: NodeId) -> NodeId {
+        self.sum([(BigRational::one(), a), (-BigRational::one(), b)])
+    }
+
+    /// −a
+    pub fn neg(&mut self, a: NodeId) -> NodeId {
+        self.scale(-BigRational::one(), a)
+    }
+
+    /// c a
+    pub fn scale(&mut self, coefficient: BigRational, a: NodeId) -> NodeId {
+        if let Some(value) = self.as_constant(a) {
+            let value = value * coefficient;
+            return self.constant(value);
+        }
+        let (inner, core) = self.split_coefficient(a);
+        let coefficient = coefficient * inner;
+        if coefficient.is_zero() {
+            self.integer(0)
+        } else if coefficient.is_one() {
+            core
+        } else {
+            self.intern(Node::Sum(vec![(coefficient, core)]))
+        }
+    }
+
+    /// a b
+    pub fn mul(&mut self, a: NodeId, b: NodeId) -> NodeId {
+        self.product([(a, 1), (b, 1)])
+    }
+
+    /// a / b
+    pub fn div(&mut self, a: NodeId, b: NodeId) -> NodeId {
+        self.product([(a, 1), (b, -1)])
+    }
+
+    /// Σ cᵢ nᵢ
+    pub fn sum(&mut self, terms: impl IntoIterator<Item = (BigRational, NodeId)>) -> NodeId {
+        let one = self.integer(1);
+        let mut collected: BTreeMap<NodeId, BigRational> = BTreeMap::new();
+        for (outer, id) in terms {
+            for (inner, core) in self.terms(id, one) {
+                let entry = collected.entry(core).or_insert_with(BigRational::zero);
+                *entry += &outer * inner;
+            }
+        }
+        collected.retain(|_, coefficient| !coefficient.is_zero());
+        let terms: Vec<_> = collected.into_iter().map(|(id, c)| (c, id)).collect();
+        match terms.as_slice() {
+            [] => self.integer(0),
+            [(coefficient, id)] if *id == one => self.constant(coefficient.clone()),
+            [(coefficient, id)] if coefficient.is_one() => *id,
+            [_] => self.intern(Node::Sum(terms)),
+            _ => self.primitive(terms, one),
+        }
+    }
+
+    /// The terms that `id` contributes to a sum; `one` carries the constant.
+    fn terms(&self, id: NodeId, one: NodeId) -> Vec<(BigRational, NodeId)> {
+        match self.node(id) {
+            Node::Constant(value) => vec![(value.clone(), one)],
+            Node::Sum(terms) => match terms.as_slice() {
+                [(coefficient, core)] => match self.node(*core) {
+                    Node::Sum(inner) if inner.len() <= MERGED && is_small(coefficient) => {
+                        inner.iter().map(|(c, n)| (coefficient * c, *n)).collect()
+                    }
+                    _ => terms.clone(),
+                },
+                _ if terms.len() <= MERGED => terms.clone(),
+                _ => vec![(BigRational::one(), id)],
+            },
+            Node::Pi | Node::Leaf(_) | Node::Product(_) | Node::Call(..) => {
+                vec![(BigRational::one(), id)]
+            }
+        }
+    }
+
+    /// A sum of several terms as content times a sum of content one.
+    fn primitive(&mut self, terms: Vec<(BigRational, NodeId)>, one: NodeId) -> NodeId {
+        let content = content(&terms, one);
+        let terms = terms.into_iter().map(|(c, n)| (c / &content, n)).collect();
+        let core = self.intern(Node::Sum(terms));
+        if content.is_one() {
+            core
+        } else {
+            self.intern(Node::Sum(vec![(content, core)]))
+        }
+    }
+
+    /// Π nᵢ^eᵢ
+    pub fn product(&mut self, factors: impl IntoIterator<Item = (NodeId, i32)>) -> NodeId {
+        let mut coefficient = BigRational::one();
+        let mut collected: BTreeMap<NodeId, i32> = BTreeMap::new();
+        let mut open: Vec<(NodeId, i32)> = factors.into_iter().collect();
+        while let Some((id, exponent)) = open.pop() {
+            match self.node(id) {
+                Node::Constant(value) if folds(value, exponent) => {
+                    coefficient *= value.pow(exponent);
+                }
+                Node::Sum(terms) if terms.len() == 1 && folds(&terms[0].0, exponent) => {
+                    coefficient *= terms[0].0.pow(exponent);
+                    open.push((terms[0].1, exponent));
+                }
+                Node::Product(inner) if inner.len() <= MERGED && merges(inner, exponent) => {
+                    open.extend(inner.iter().map(|(n, e)| (*n, e * exponent)));
+                }
+                Node::Call(Elementary::Sqrt, argument) => {
+                    let total = collected.remove(&id).unwrap_or(0) + exponent;
+                    if total % 2 == 0 {
+                        open.push((argument[0], total / 2));
+                    } else {
+                        collected.insert(id, total);
+                    }
+                }
+                _ => *collected.entry(id).or_default() += exponent,
+            }
+        }
+        collected.retain(|_, exponent| *exponent != 0);
+        if coefficient.is_zero() {
+            return self.integer(0);
+        }
+        let factors: Vec<_> = collected.into_iter().collect();
+        let core = match factors.as_slice() {
+            [] => return self.constant(coefficient),
+            [(id, 1)] => *id,
+            _ => self.intern(Node::Product(factors)),
+        };
+        self.scale(coefficient, core)
+    }
+
+    /// a^b: a product for whole b, a root for half b.
+    pub fn power(&mut self, base: NodeId, exponent: NodeId) -> NodeId {
+        if let Some(value) = self.as_constant(exponent).cloned() {
+            if let Some(whole) = value.is_integer().then(|| value.to_i32()).flatten() {
+                return self.product([(base, whole)]);
+            }
+            let doubled = &value * rational(2);
+            if let Some(halves) = doubled.is_integer().then(|| doubled.to_i32()).flatten() {
+                let root = self.call(Elementary::Sqrt, vec![base]);
+                return self.product([(root, halves)]);
+            }
+        }
+        self.call(Elementary::Power, vec![base, exponent])
+    }
+
+    /// f(n, …)
+    pub fn call(&mut self, function: Elementary, arguments: Vec<NodeId>) -> NodeId {
+        if let Some(value) = self.exact_call(function, &arguments) {
+            return self.constant(value);
+        }
+        let (coefficient, core) = self.split_coefficient(arguments[0]);
+        if coefficient.is_negative() && parity(function) != Parity::Neither {
+            let positive = self.scale(-coefficient, core);
+            let value = self.intern(Node::Call(function, vec![positive]));
+            return if parity(function) == Parity::Odd {
+                self.neg(value)
+            } else {
+                value
+            };
+        }
+        self.intern(Node::Call(function, arguments))
+    }
+
+    /// `roots` with every leaf that `replacement` knows replaced.
+    pub fn substitute(
+        &mut self,
+        roots: &[NodeId],
+        replacement: impl Fn(Leaf) -> Option<NodeId>,
+    ) -> Vec<NodeId> {
+        let needed = self.reachable(roots);
+        let mut replaced: Vec<NodeId> = (0..needed.len() as u32).map(NodeId).collect();
+        for i in (0..needed.len()).filter(|&i| needed[i]) {
+            let new = |id: &NodeId| replaced[id.index()];
+            replaced[i] = match self.nodes()[i].clone() {
+                Node::Constant(_) | Node::Pi => continue,
+                Node::Leaf(leaf) => replacement(leaf).unwrap_or(replaced[i]),
+                Node::Sum(terms) => {
+                    let terms: Vec<_> = terms.iter().map(|(c, n)| (c.clone(), new(n))).collect();
+                    self.sum(terms)
+                }
+                Node::Product(factors) => {
+                    let factors: Vec<_> = factors.iter().map(|(n, e)| (new(n), *e)).collect();
+                    self.product(factors)
+                }
+                Node::Call(function, arguments) => {
+                    let arguments = arguments.iter().map(new).collect();
+                    self.call(function, arguments)
+                }
+            };
+        }
+        roots.iter().map(|r| replaced[r.index()]).collect()
+    }
+
+    /// The value of a call whose arguments and value are exact.
+    fn exact_call(&self, function: Elementary, arguments: &[NodeId]) -> Option<BigRational> {
+        if matches!(function, Elementary::Sin | Elementary::Cos) {
+            return self.exact_at_quarter_turns(function, arguments[0]);
+        }
+        let x = self.as_constant(arguments[0])?;
+        match function {
+            Elementary::Sin | Elementary::Cos => None,
+            Elementary::Tan
+            | Elementary::Asin
+            | Elementary::Atan
+            | Elementary::Sinh
+            | Elementary::Tanh => x.is_zero().then(BigRational::zero),
+            Elementary::Cosh | Elementary::Exp => x.is_zero().then(BigRational::one),
+            Elementary::Log | Elementary::Acos => x.is_one().then(BigRational::zero),
+            Elementary::Atan2 => {
+                let right = self.as_constant(arguments[1])?.is_positive();
+                (x.is_zero() && right).then(BigRational::zero)
+            }
+            Elementary::Sqrt => exact_root(x),
+            Elementary::Abs => Some(x.abs()),
+            Elementary::Sign => Some(x.signum()),
+            Elementary::Power => None,
+            Elementary::Stumpff(n) => x.is_zero().then(|| inverse_factorial(n)),
+        }
+    }
+
+    /// sin and cos of multiples of π/2.
+    fn exact_at_quarter_turns(
+        &self,
+        function: Elementary,
+        argument: NodeId,
+    ) -> Option<BigRational> {
+        let (coefficient, core) = self.split_coefficient(argument);
+        let turns: BigRational = match self.node(core) {
+            Node::Pi => coefficient * rational(2),
+            Node::Constant(value) if value.is_zero() => BigRational::zero(),
+            _ => return None,
+        };
+        let shift = if function == Elementary::Sin { 0 } else { 1 };
+        if !turns.is_integer() {
+            return None;
+        }
+        let quarter: BigInt = turns.to_integer() + shift;
+        match quarter.mod_floor(&BigInt::from(4)).to_u32()? {
+            1 => Some(rational(1)),
+            3 => Some(rational(-1)),
+            _ => Some(rational(0)),
+        }
+    }
+}
+
+/// A whole number as a rational.
+pub fn rational(value: i64) -> BigRational {
+    BigRational::from_integer(value.into())
+}
+
+/// 1/n!
+fn inverse_factorial(n: u32) -> BigRational {
+    let factorial: BigInt = (1..=n).map(BigInt::from).product();
+    BigRational::new(BigInt::one(), factorial)
+}
+
+/// The root of a square of a rational.
+fn exact_root(x: &BigRational) -> Option<BigRational> {
+    if x.is_negative() {
+        return None;
+    }
+    let root = BigRational::new(x.numer().sqrt(), x.denom().sqrt());
+    (&root * &root == *x).then_some(root)
+}
+
+/// The common factor to take out of a sum, with the sign of its first term that is not a constant.
+fn content(terms: &[(BigRational, NodeId)], one: NodeId) -> BigRational {
+    let leading = terms.iter().find(|t| t.1 != one).unwrap_or(&terms[0]);
+    let sign = leading.0.signum();
+    if !terms.iter().all(|t| is_small(&t.0)) {
+        return sign;
+    }
+    let numerator = terms.iter().fold(BigInt::zero(), |g, t| g.gcd(t.0.numer()));
+    let denominator = terms.iter().fold(BigInt::one(), |l, t| l.lcm(t.0.denom()));
+    sign * BigRational::new(numerator, denominator)
+}
+
+/// `value^exponent` is a number of reasonable length.
+fn folds(value: &BigRational, exponent: i32) -> bool {
+    let bits = value.numer().bits() + value.denom().bits();
+    let power = u64::from(exponent.unsigned_abs());
+    (exponent > 0 || !value.is_zero()) && bits * power <= BITS
+}
+
+/// The factors keep reasonable exponents when raised to `exponent`.
+fn merges(factors: &[(NodeId, i32)], exponent: i32) -> bool {
+    factors
+        .iter()
+        .all(|(_, e)| e.checked_mul(exponent).is_some_and(|e| e.abs() <= EXPONENT))
+}
+
+/// A ratio of small whole numbers.
+fn is_small(c: &BigRational) -> bool {
+    let limit = BigInt::from(CONTENT);
+    c.numer().abs() <= limit && c.denom() <= &limit
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Parity {
+    Even,
+    Odd,
+    Neither,
+}
+
+fn parity(function: Elementary) -> Parity {
+    match function {
+        Elementary::Sin
+        | Elementary::Tan
+        | Elementary::Asin
+        | Elementary::Atan
+        | Elementary::Sinh
+        | Elementary::Tanh
+        | Elementary::Sign => Parity::Odd,
+        Elementary::Cos | Elementary::Cosh | Elementary::Abs => Parity::Even,
+        Elementary::Acos
+        | Elementary::Atan2
+        | Elementary::Exp
+        | Elementary::Log
+        | Elementary::Sqrt
+        | Elementary::Power
+        | Elementary::Stumpff(_) => Parity::Neither,
+    }
+}
+
+#[cfg(test)]
+mod tests;
