@@ -32,7 +32,10 @@ fn model_files(folder: &Path) -> io::Result<Vec<PathBuf>> {
     let mut files = Vec::new();
     for entry in fs::read_dir(folder)? {
         let path = entry?.path();
-        if path.extension().is_some_and(|extension| extension == "model") {
+        if path
+            .extension()
+            .is_some_and(|extension| extension == "model")
+        {
             files.push(path);
         }
     }
@@ -55,12 +58,18 @@ fn add(path: &Path, bytes: &[u8], modules: &mut String, entries: &mut String) {
     match read_source(&stem, bytes) {
         Ok(_) => {
             modules.push_str(&include);
-            let entry = format!("Entry {{ catalogued: &{stem}::MODEL, source: include_str!({file}) }}");
+            let entry =
+                format!("Entry {{ catalogued: &{stem}::MODEL, source: include_str!({file}) }}");
             let _ = writeln!(entries, "    {entry},");
         }
         // rustc's own lexer shows these in the file; without an entry nothing follows from them.
         Err(error) if error.lexical => modules.push_str(&include),
-        Err(SourceError { line, column, message, .. }) => {
+        Err(SourceError {
+            line,
+            column,
+            message,
+            ..
+        }) => {
             refuse(&format!("{shown}:{line}:{column}: {message}"), modules);
         }
     }

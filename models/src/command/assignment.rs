@@ -80,17 +80,28 @@ fn place(assignment: &Assignment, target: &Target<'_>) -> Result<Place, Failure>
         if name == variable.name || name == variable.ascii {
             if pick.is_empty() {
                 let shape = (variable.rows, variable.cols);
-                return Ok(Place { range: start..start + len, shape });
+                return Ok(Place {
+                    range: start..start + len,
+                    shape,
+                });
             }
-            let component = component(variable, pick).ok_or_else(|| no_component(variable, text))?;
+            let component =
+                component(variable, pick).ok_or_else(|| no_component(variable, text))?;
             let at = start + component;
-            return Ok(Place { range: at..at + 1, shape: (1, 1) });
+            return Ok(Place {
+                range: at..at + 1,
+                shape: (1, 1),
+            });
         }
         start += len;
     }
     let kind = target.kind;
     let known = target.variables.iter().flat_map(|v| [v.name, v.ascii]);
-    Err(Failure::unknown(format!("the model has no {kind} `{name}`"), name, known))
+    Err(Failure::unknown(
+        format!("the model has no {kind} `{name}`"),
+        name,
+        known,
+    ))
 }
 
 /// The component that `.x`, `.12`, `(3)` or `(1,2)` picks, row by row from 0.
@@ -114,9 +125,13 @@ fn component(variable: &Variable, pick: &str) -> Option<usize> {
 }
 
 fn no_component(variable: &Variable, text: &str) -> Failure {
-    let Variable { name, rows, cols, .. } = variable;
+    let Variable {
+        name, rows, cols, ..
+    } = variable;
     match (rows, cols) {
-        (1, 1) => Failure::input(format!("`{text}`: `{name}` is a scalar and has no components")),
+        (1, 1) => Failure::input(format!(
+            "`{text}`: `{name}` is a scalar and has no components"
+        )),
         (rows, 1) => Failure::input_with_help(
             format!("`{text}`: `{name}` has no such component"),
             format!("its components are {name}(1) to {name}({rows})"),

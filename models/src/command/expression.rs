@@ -16,7 +16,15 @@ pub fn evaluate(
     shape: (usize, usize),
     _symbols: &[Symbol<'_>],
 ) -> Result<Vec<f64>, String> {
-    let v: Option<Vec<f64>> = text.trim_matches(['[',']']).split(',').map(|x| x.trim().parse().ok()).collect();
+    let v: Option<Vec<f64>> = text
+        .trim_matches(['[', ']'])
+        .split(',')
+        .map(|x| x.trim().parse().ok())
+        .collect();
     let v = v.ok_or("not a number")?;
-    if v.len() == shape.0*shape.1 { Ok(v) } else { Err("shape".into()) }
+    if v.len() == shape.0 * shape.1 {
+        Ok(v)
+    } else {
+        Err("shape".into())
+    }
 }

@@ -1,7 +1,6 @@
 //! Why a command ends early, and its exit code.
 
 use residua_models::UnknownModel;
-use std::fmt::Display;
 use std::io;
 use std::path::Path;
 use std::process::ExitCode;

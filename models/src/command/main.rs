@@ -4,6 +4,7 @@
 mod assignment;
 mod check;
 mod columns;
+mod describe;
 mod diagnose;
 mod expand;
 mod expression;
@@ -14,6 +15,7 @@ mod new;
 mod notation;
 mod show;
 mod simulate;
+mod table;
 
 use clap::{Parser, Subcommand};
 use failure::Failure;

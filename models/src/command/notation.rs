@@ -44,13 +44,24 @@ pub fn unit(symbols: &str) -> String {
 /// Whether a model gives any unit; without one, time is a mere number.
 pub fn has_units(description: &Description) -> bool {
     let outputs = description.outputs.iter().map(|output| &output.variable);
-    let variables = description.parameters.iter().chain(description.states).chain(outputs);
+    let variables = description
+        .parameters
+        .iter()
+        .chain(description.states)
+        .chain(outputs);
     variables.into_iter().any(|variable| variable.unit != "1")
 }
 
 /// 10ⁿ
 pub fn power_of_ten(exponent: i32) -> String {
-    format!("10{}", exponent.to_string().chars().map(superscript).collect::<String>())
+    format!(
+        "10{}",
+        exponent
+            .to_string()
+            .chars()
+            .map(superscript)
+            .collect::<String>()
+    )
 }
 
 fn is_exponent(c: char) -> bool {
@@ -67,5 +78,39 @@ fn superscript(c: char) -> char {
             .to_digit(10)
             .and_then(|value| char::from_u32(0x2070 + value))
             .unwrap_or(digit),
+    }
+}
+
+/// A value as the language writes it: `0.48`, `[0, 0, 0.7]`, `[[1, 0], [0, 1]]`.
+pub fn value(components: &[f64], (_, cols): (usize, usize)) -> String {
+    let list = |values: &[f64]| {
+        let numbers: Vec<String> = values.iter().map(|&value| number(value)).collect();
+        format!("[{}]", numbers.join(", "))
+    };
+    match (components, cols) {
+        (&[scalar], _) => number(scalar),
+        (vector, 0 | 1) => list(vector),
+        (matrix, cols) => {
+            let rows: Vec<String> = matrix.chunks(cols).map(list).collect();
+            format!("[{}]", rows.join(", "))
+        }
+    }
+}
+
+/// Six significant digits at most, without trailing zeros.
+fn number(value: f64) -> String {
+    let size = value.abs();
+    if size != 0.0 && !(1e-4..1e7).contains(&size) {
+        return format!("{value:.3e}");
+    }
+    let before_point = if size < 1.0 {
+        1
+    } else {
+        size.log10() as usize + 1
+    };
+    let text = format!("{value:.*}", 7 - before_point.min(7));
+    match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text,
     }
 }

@@ -54,10 +54,25 @@ impl Drift {
 
 impl fmt::Display for Drift {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for Invariant { name, unit, start, last, largest, .. } in &self.invariants {
-            let unit = if unit == "1" { String::new() } else { format!(" {unit}") };
+        for Invariant {
+            name,
+            unit,
+            start,
+            last,
+            largest,
+            ..
+        } in &self.invariants
+        {
+            let unit = if unit == "1" {
+                String::new()
+            } else {
+                format!(" {unit}")
+            };
             let start = start.unwrap_or_default();
-            writeln!(f, "{name}: {start:.6}{unit}, drift {last:.1e} at the end, {largest:.1e} at most")?;
+            writeln!(
+                f,
+                "{name}: {start:.6}{unit}, drift {last:.1e} at the end, {largest:.1e} at most"
+            )?;
         }
         Ok(())
     }

@@ -44,16 +44,31 @@ pub struct Simulate {
     #[arg(long, value_name = "NAME=EXPR", value_parser = parse)]
     start: Vec<Assignment>,
     /// Time step h
-    #[arg(long, value_name = "H", default_value_t = 0.01, allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "H",
+        default_value_t = 0.01,
+        allow_negative_numbers = true
+    )]
     step: f64,
     /// End time
-    #[arg(long, value_name = "T", default_value_t = 10.0, allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "T",
+        default_value_t = 10.0,
+        allow_negative_numbers = true
+    )]
     until: f64,
     /// Keep every N-th step, and the last one
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
     every: u64,
     /// Largest accepted Newton correction, relative to the size of what it corrects
-    #[arg(long, value_name = "EPS", default_value_t = 1e-12, allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "EPS",
+        default_value_t = 1e-12,
+        allow_negative_numbers = true
+    )]
     tolerance: f64,
     /// File for the rows, as CSV [default: standard output, unless there is a --plot]
     #[arg(long, value_name = "FILE")]
@@ -108,7 +123,10 @@ impl Simulate {
             None => None,
         };
         let kept = plan.steps / self.every + 2;
-        let trace = self.plot.is_some().then(|| Trace::new(header.len() - 1, kept));
+        let trace = self
+            .plot
+            .is_some()
+            .then(|| Trace::new(header.len() - 1, kept));
         let rows = out.map(|out| Rows::new(out, &header)).transpose()?;
         let drawn = !(to_stdout && io::stdout().is_terminal()) && !self.quiet;
         Ok(Recorder::new(model, plan, self.step, rows, trace, drawn))
@@ -140,10 +158,20 @@ impl Simulate {
             Scheme::Newton(solver) => format!("{} form", solver.solver().form),
             Scheme::RungeKutta(_) => "Runge–Kutta 4".to_owned(),
         };
-        let set: Vec<String> = self.set.iter().chain(&self.start).map(ToString::to_string).collect();
+        let set: Vec<String> = self
+            .set
+            .iter()
+            .chain(&self.start)
+            .map(ToString::to_string)
+            .collect();
         let pace = statistics.and_then(iterations);
         let parts = [Some(scheme), Some(format!("h = {}", self.step)), pace];
-        parts.into_iter().flatten().chain(set).collect::<Vec<_>>().join(" · ")
+        parts
+            .into_iter()
+            .flatten()
+            .chain(set)
+            .collect::<Vec<_>>()
+            .join(" · ")
     }
 
     fn draw(
@@ -157,7 +185,12 @@ impl Simulate {
         let figure = Figure {
             title: description.name.to_owned(),
             subtitle,
-            time: if notation::has_units(description) { "t [s]" } else { "t" }.to_owned(),
+            time: if notation::has_units(description) {
+                "t [s]"
+            } else {
+                "t"
+            }
+            .to_owned(),
             panels: trace.into_panels(description),
         };
         let text = plot::svg(&figure).map_err(Failure::Run)?;

@@ -43,7 +43,10 @@ pub enum Scheme {
 pub fn plan(options: &Simulate, model: &Catalogued) -> Result<Plan, Failure> {
     let (steps, note) = steps(options.step, options.until)?;
     if !(options.tolerance > 0.0 && options.tolerance < 1.0) {
-        let message = format!("the tolerance is {}, not between 0 and 1", options.tolerance);
+        let message = format!(
+            "the tolerance is {}, not between 0 and 1",
+            options.tolerance
+        );
         return Err(Failure::input(message));
     }
     let (parameters, start) = values(options, model)?;
@@ -58,10 +61,14 @@ pub fn plan(options: &Simulate, model: &Catalogued) -> Result<Plan, Failure> {
 
 fn steps(step: f64, until: f64) -> Result<(u64, Option<String>), Failure> {
     if !(step.is_finite() && step > 0.0) {
-        return Err(Failure::input(format!("the step is {step}, not a positive number")));
+        return Err(Failure::input(format!(
+            "the step is {step}, not a positive number"
+        )));
     }
     if !(until.is_finite() && until > 0.0) {
-        return Err(Failure::input(format!("the end time is {until}, not a positive number")));
+        return Err(Failure::input(format!(
+            "the end time is {until}, not a positive number"
+        )));
     }
     let ratio = until / step;
     if ratio + END_TOLERANCE < 1.0 {
@@ -102,7 +109,10 @@ fn solver(form: Option<&str>, model: &Catalogued) -> Result<&'static dyn AnySolv
     model.solvers.iter().find(wanted).copied().ok_or_else(|| {
         let forms: Vec<&str> = model.solvers.iter().map(|s| s.solver().form).collect();
         Failure::input(match form {
-            Some(form) => format!("`{name}` has no form `{form}`, only {}", forms.join(" and ")),
+            Some(form) => format!(
+                "`{name}` has no form `{form}`, only {}",
+                forms.join(" and ")
+            ),
             None => format!("`{name}` has no discrete equations"),
         })
     })
@@ -131,7 +141,10 @@ fn values(options: &Simulate, model: &Catalogued) -> Result<(Vec<f64>, Vec<f64>)
     };
     assign(&options.start, target, &set)?;
     match start.iter().find(|value| !value.is_finite()) {
-        Some(value) => Err(Failure::input(format!("a start value of `{}` is {value}", description.name))),
+        Some(value) => Err(Failure::input(format!(
+            "a start value of `{}` is {value}",
+            description.name
+        ))),
         None => Ok((parameters, start)),
     }
 }

@@ -104,7 +104,9 @@ fn draw<'a>(figure: &Figure, root: &Area<'a>) -> Drawn<'a> {
     let (header, body) = root.split_vertically(HEADER * SCALE);
     write(&header, &figure.title, (22, 16), bold(17.0, INK))?;
     write(&header, &figure.subtitle, (22, 40), font(12.0, MUTED))?;
-    let span = extent(figure.panels.iter().flat_map(|panel| &panel.curves), |p| p.0);
+    let span = extent(figure.panels.iter().flat_map(|panel| &panel.curves), |p| {
+        p.0
+    });
     let mut rest = body;
     for (i, panel) in figure.panels.iter().enumerate() {
         let last = i + 1 == figure.panels.len();
@@ -149,7 +151,7 @@ fn draw_panel<'a>(
         .y_label_formatter(&|value| short(value / 10f64.powi(exponent)))
         .set_all_tick_mark_size(4 * SCALE)
         .draw()?;
-        for (curve, color) in panel.curves.iter().zip(PALETTE) {
+    for (curve, color) in panel.curves.iter().zip(PALETTE) {
         let style = color.stroke_width(STROKE);
         chart.draw_series(LineSeries::new(curve.points.iter().copied(), style))?;
     }
@@ -178,7 +180,12 @@ fn draw_caption<'a>(panel: &Panel, exponent: i32, area: &Area<'a>) -> Drawn<'a> 
             color.stroke_width(2 * SCALE as u32),
         ))?;
         let middle = Pos::new(HPos::Left, VPos::Center);
-        write(area, &curve.label, (left + 22, y), font(12.0, INK).pos(middle))?;
+        write(
+            area,
+            &curve.label,
+            (left + 22, y),
+            font(12.0, INK).pos(middle),
+        )?;
     }
     Ok(())
 }
@@ -206,11 +213,17 @@ fn extent<'c>(
     curves: impl IntoIterator<Item = &'c Curve>,
     coordinate: impl Fn(&(f64, f64)) -> f64,
 ) -> (f64, f64) {
-    let values = curves.into_iter().flat_map(|curve| curve.points.iter().map(&coordinate));
+    let values = curves
+        .into_iter()
+        .flat_map(|curve| curve.points.iter().map(&coordinate));
     let bounds = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
         (low.min(value), high.max(value))
     });
-    if bounds.0 <= bounds.1 { bounds } else { (0.0, 1.0) }
+    if bounds.0 <= bounds.1 {
+        bounds
+    } else {
+        (0.0, 1.0)
+    }
 }
 
 /// The range of an axis around its values, never empty.
@@ -228,7 +241,11 @@ fn padded((low, high): (f64, f64)) -> (f64, f64) {
 /// The power of ten that the values of an axis share, 0 where they read well as they are.
 fn common_exponent(low: f64, high: f64) -> i32 {
     let exponent = low.abs().max(high.abs()).log10().floor() as i32;
-    if (-2..=3).contains(&exponent) { 0 } else { exponent }
+    if (-2..=3).contains(&exponent) {
+        0
+    } else {
+        exponent
+    }
 }
 
 /// A tick value without the noise of binary fractions.

@@ -63,7 +63,11 @@ impl Recorder {
             rows,
             trace,
             drift: Drift::new(placed, plan.start.len()),
-            progress: if progress_shown { bar(plan.steps) } else { ProgressBar::hidden() },
+            progress: if progress_shown {
+                bar(plan.steps)
+            } else {
+                ProgressBar::hidden()
+            },
             error: None,
         }
     }
@@ -71,7 +75,9 @@ impl Recorder {
     /// Takes in one state; stops the run if it cannot be written.
     pub fn take(&mut self, sample: &Sample<'_>) -> ControlFlow<()> {
         let (t, state) = (sample.t, sample.state);
-        self.model.model.outputs(&self.parameters, self.step, t, state, &mut self.outputs);
+        self.model
+            .model
+            .outputs(&self.parameters, self.step, t, state, &mut self.outputs);
         self.row.clear();
         self.row.extend_from_slice(state);
         self.row.extend(self.order.iter().map(|&i| self.outputs[i]));

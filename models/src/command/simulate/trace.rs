@@ -34,7 +34,9 @@ impl Trace {
             rows.div_ceil(MAX_POINTS / 2)
         };
         Self {
-            columns: std::iter::repeat_with(Column::default).take(width).collect(),
+            columns: std::iter::repeat_with(Column::default)
+                .take(width)
+                .collect(),
             rows_per_bin,
             // The first row has a bin of its own: drift is counted from it.
             rows_in_bin: rows_per_bin - 1,
@@ -66,7 +68,12 @@ impl Trace {
         for state in description.states {
             panels.add(state, false, &mut columns);
         }
-        for Placed { variable, invariant, .. } in ordered_outputs(description) {
+        for Placed {
+            variable,
+            invariant,
+            ..
+        } in ordered_outputs(description)
+        {
             panels.add(variable, invariant, &mut columns);
         }
         panels.list
@@ -103,32 +110,51 @@ struct Panels {
 }
 
 impl Panels {
-    fn add(&mut self, variable: &Variable, drift: bool, columns: &mut impl Iterator<Item = Column>) {
+    fn add(
+        &mut self,
+        variable: &Variable,
+        drift: bool,
+        columns: &mut impl Iterator<Item = Column>,
+    ) {
         let labels = components(variable);
         let scalar = labels.len() == 1;
         let mut curves: Vec<Curve> = labels
             .into_iter()
             .zip(columns)
-            .map(|(label, column)| Curve { label, points: column.points })
+            .map(|(label, column)| Curve {
+                label,
+                points: column.points,
+            })
             .collect();
         if drift {
             curves.iter_mut().for_each(from_start);
         }
         let unit = unit(variable.unit);
         let shared = self.list.last_mut().filter(|last| {
-            scalar && self.open == Some(drift) && last.unit == unit && last.curves.len() < MAX_CURVES
+            scalar
+                && self.open == Some(drift)
+                && last.unit == unit
+                && last.curves.len() < MAX_CURVES
         });
         if let Some(last) = shared {
             last.title = format!("{}, {}", last.title, variable.name);
             last.curves.append(&mut curves);
             return;
         }
-        let mut title = if drift { format!("drift of {}", variable.name) } else { variable.name.to_owned() };
+        let mut title = if drift {
+            format!("drift of {}", variable.name)
+        } else {
+            variable.name.to_owned()
+        };
         if curves.len() > MAX_CURVES {
             title = format!("{title} (first {MAX_CURVES} of {})", curves.len());
             curves.truncate(MAX_CURVES);
         }
-        self.list.push(Panel { title, unit, curves });
+        self.list.push(Panel {
+            title,
+            unit,
+            curves,
+        });
         self.open = scalar.then_some(drift);
     }
 }
