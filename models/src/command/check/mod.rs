@@ -5,6 +5,7 @@ mod order;
 mod points;
 mod report;
 mod residual;
+mod text;
 
 use crate::diagnose::compile_file;
 use crate::expand::as_path;
