@@ -15,11 +15,12 @@ use clap::{Args, ValueEnum};
 use plan::{Plan, Scheme, plan};
 use plot::Figure;
 use recorder::Recorder;
-use residua::erased::{Run, Statistics};
-use residua::{Catalogued, Settings};
+use residua::description::Description;
+use residua::erased::{Run, Sample};
+use residua::{Catalogued, Settings, Statistics};
 use residua_models::find;
 use rows::Rows;
-use std::fs::{self, File};
+use std::fs::File;
 use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -95,15 +96,17 @@ impl Simulate {
         if let Some(note) = plan.note.as_ref().filter(|_| !self.quiet) {
             eprintln!("note: {note}");
         }
+        // Before the run, so that a bad path does not cost one.
+        let picture = self.plot.as_deref().map(create).transpose()?;
         let mut recorder = self.recorder(model, &plan)?;
         let clock = Instant::now();
         let outcome = self.advance(&plan, &mut recorder);
         let elapsed = clock.elapsed();
         let recorded = recorder.finish()?;
         // What was computed before a failure is as good as in any run, so it is shown as well.
-        let subtitle = self.subtitle(&plan, outcome.as_ref().ok());
-        if let (Some(path), Some(trace)) = (&self.plot, recorded.trace) {
-            self.draw(path, trace, model, subtitle)?;
+        if let (Some(file), Some(trace)) = (picture, recorded.trace) {
+            let subtitle = self.subtitle(&plan, outcome.as_ref().ok());
+            draw(file, trace, model.description, subtitle)?;
         }
         let statistics = outcome?;
         if !self.quiet {
@@ -145,7 +148,7 @@ impl Simulate {
                 ..Settings::default()
             },
         };
-        let mut observer = |sample: residua::erased::Sample<'_>| recorder.take(&sample);
+        let mut observer = |sample: Sample<'_>| recorder.take(&sample);
         let outcome = match plan.scheme {
             Scheme::Newton(solver) => solver.simulate(&run, &mut observer),
             Scheme::RungeKutta(flow) => flow.simulate(&run, &mut observer),
@@ -158,43 +161,12 @@ impl Simulate {
             Scheme::Newton(solver) => format!("{} form", solver.solver().form),
             Scheme::RungeKutta(_) => "Runge–Kutta 4".to_owned(),
         };
-        let set: Vec<String> = self
-            .set
-            .iter()
-            .chain(&self.start)
-            .map(ToString::to_string)
-            .collect();
         let pace = statistics.and_then(iterations);
-        let parts = [Some(scheme), Some(format!("h = {}", self.step)), pace];
-        parts
-            .into_iter()
-            .flatten()
-            .chain(set)
-            .collect::<Vec<_>>()
-            .join(" · ")
-    }
-
-    fn draw(
-        &self,
-        path: &Path,
-        trace: Trace,
-        model: &Catalogued,
-        subtitle: String,
-    ) -> Result<(), Failure> {
-        let description = model.description;
-        let figure = Figure {
-            title: description.name.to_owned(),
-            subtitle,
-            time: if notation::has_units(description) {
-                "t [s]"
-            } else {
-                "t"
-            }
-            .to_owned(),
-            panels: trace.into_panels(description),
-        };
-        let text = plot::svg(&figure).map_err(Failure::Run)?;
-        fs::write(path, text).map_err(|error| Failure::file("write", path, &error))
+        let set = self.set.iter().chain(&self.start).map(ToString::to_string);
+        let mut parts = vec![scheme, format!("h = {}", self.step)];
+        parts.extend(pace);
+        parts.extend(set);
+        parts.join(" · ")
     }
 
     fn name_files(&self, rows: Option<u64>) {
@@ -205,6 +177,27 @@ impl Simulate {
             eprintln!("{}", path.display());
         }
     }
+}
+
+fn draw(
+    mut file: File,
+    trace: Trace,
+    description: &'static Description,
+    subtitle: String,
+) -> Result<(), Failure> {
+    let unit = if notation::has_units(description) {
+        " [s]"
+    } else {
+        ""
+    };
+    let figure = Figure {
+        title: description.name.to_owned(),
+        subtitle,
+        time: format!("t{unit}"),
+        panels: trace.into_panels(description),
+    };
+    let text = plot::svg(&figure).map_err(Failure::Run)?;
+    Ok(file.write_all(text.as_bytes())?)
 }
 
 fn is_stdout(path: &Path) -> bool {
