@@ -1,4 +1,8 @@
-//! What generated code computes with.
+//! What generated code computes with: `f64`, `f32` and, for checks, dual numbers.
+
+#[cfg(feature = "dual")]
+mod dual;
+mod real;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -52,4 +56,14 @@ pub trait Scalar:
     fn powf(self, exponent: Self) -> Self;
     /// cₙ(s) = Σ (−s)^j / (n + 2j)!: c₁(x²) = sin x / x, c₂(x²) = (1 − cos x)/x².
     fn stumpff(self, n: u32) -> Self;
+}
+
+/// A real number that Newton's method can compare and judge: `f64` and `f32`.
+pub trait Real: Scalar + PartialOrd {
+    /// The distance from 1 to the next larger number.
+    const EPSILON: Self;
+    /// Neither infinite nor NaN.
+    fn is_finite(self) -> bool;
+    /// The number itself, or for narrower types its exact image.
+    fn to_f64(self) -> f64;
 }

@@ -1,0 +1,101 @@
+//! Runs that stream their states to an observer.
+
+use core::ops::ControlFlow;
+
+use super::model;
+use crate::error::InvalidRun;
+use crate::error::RunError;
+use crate::integration::Integration;
+use crate::integration::Method;
+use crate::model::Model;
+use crate::model::Record;
+use crate::report::Statistics;
+use crate::settings::Settings;
+
+/// A run to be made.
+#[derive(Debug, Clone, Copy)]
+pub struct Run<'a> {
+    /// In file order.
+    pub parameters: &'a [f64],
+    /// The flat state at `t0`.
+    pub start: &'a [f64],
+    /// The step, [s] where the model has units; negative runs backwards in time.
+    pub h: f64,
+    /// The time of the start state.
+    pub t0: f64,
+    /// Steps to take.
+    pub steps: u64,
+    /// Shows every so many steps; 0 shows the start and the end only.
+    pub every: u64,
+    /// For implicit methods.
+    pub settings: Settings<f64>,
+}
+
+/// A state of a run.
+#[derive(Debug, Clone, Copy)]
+pub struct Sample<'a> {
+    /// Steps taken since the start.
+    pub step: u64,
+    /// Its time.
+    pub t: f64,
+    /// Its flat state.
+    pub state: &'a [f64],
+    /// What the run has cost up to here.
+    pub statistics: Statistics,
+}
+
+/// Takes the start, every so many states and the last one; `Break` ends the run early, without an error.
+pub type Observer<'a> = dyn FnMut(Sample) -> ControlFlow<()> + 'a;
+
+impl Run<'_> {
+    /// Parameters and start state of `M`, if there are as many values as `M` has.
+    pub(super) fn records<M: Model<f64>>(&self) -> Result<(M::Parameters, M::State), InvalidRun> {
+        let defaults = M::Parameters::default();
+        require_length("parameters", defaults.to_array().as_ref(), self.parameters)?;
+        let parameters = model::parameters::<M, f64>(self.parameters);
+        let shape = M::start(&parameters).to_array();
+        require_length("start values", shape.as_ref(), self.start)?;
+        let start = model::state::<M, f64>(&parameters, self.start);
+        Ok((parameters, start))
+    }
+
+    /// Takes the steps of the run.
+    pub(super) fn through<M: Method<f64>>(
+        &self,
+        mut integration: Integration<M, f64>,
+        observer: &mut Observer,
+    ) -> Result<Statistics, RunError> {
+        let mut shown = observer(sample(&integration));
+        while shown.is_continue() && integration.steps() < self.steps {
+            integration.step()?;
+            let step = integration.steps();
+            if step == self.steps || (self.every > 0 && step.is_multiple_of(self.every)) {
+                shown = observer(sample(&integration));
+            }
+        }
+        Ok(integration.statistics())
+    }
+}
+
+fn sample<M: Method<f64>>(integration: &Integration<M, f64>) -> Sample<'_> {
+    Sample {
+        step: integration.steps(),
+        t: integration.t(),
+        state: integration.state_array().as_ref(),
+        statistics: integration.statistics(),
+    }
+}
+
+fn require_length(what: &'static str, model: &[f64], given: &[f64]) -> Result<(), InvalidRun> {
+    if model.len() == given.len() {
+        return Ok(());
+    }
+    Err(InvalidRun::Length {
+        what,
+        expected: model.len(),
+        found: given.len(),
+    })
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,192 @@
+//! What goes wrong, in words that name the equation, the time and the value.
+
+use core::fmt;
+
+use crate::component::Component;
+use crate::component::write_equation;
+use crate::component::write_unknown;
+use crate::description::Description;
+use crate::description::Solver;
+use crate::report::History;
+
+/// Why a step failed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Failure {
+    /// Corrections grew several times in a row.
+    Diverged,
+    /// The iteration limit was reached above the rounding floor.
+    Stalled,
+    /// The Jacobian has a pivot that is exactly 0.
+    Singular,
+    /// NaN or infinity in a residual, an unknown or the state after the step.
+    NotFinite,
+}
+
+/// Where a step failed, by position in a flat array.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Place {
+    /// A row of the residual.
+    Equation(usize),
+    /// An unknown.
+    Unknown(usize),
+    /// A component of the state after the step.
+    State(usize),
+}
+
+/// What went wrong in a step.
+#[derive(Debug, Clone, Copy)]
+pub struct Fault {
+    /// Why the step failed.
+    pub failure: Failure,
+    /// The first component that is not finite, or else the row of the largest residual.
+    pub place: Place,
+    /// The value there.
+    pub value: f64,
+}
+
+/// A step that failed. The state is as it was before the step.
+#[derive(Debug, Clone, Copy)]
+pub struct StepError {
+    /// What went wrong.
+    pub fault: Fault,
+    /// Steps completed before.
+    pub step: u64,
+    /// The time at which the failed step starts, [s] where the model has units.
+    pub t: f64,
+    /// The corrections of the failed step.
+    pub history: History,
+    /// The model.
+    pub description: &'static Description,
+    /// The equations being solved, for implicit methods.
+    pub solver: Option<&'static Solver>,
+}
+
+impl fmt::Display for StepError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let iterations = self.history.iterations();
+        let value = self.fault.value;
+        write!(f, "step {} at t = {}: ", self.step, self.t)?;
+        let outcome = match self.fault.failure {
+            Failure::Diverged => "Newton diverged",
+            Failure::Stalled => "Newton stalled",
+            Failure::Singular => "the Jacobian became singular",
+            Failure::NotFinite => {
+                self.write_place(f)?;
+                return write!(f, " is {value} after {}", Iterations(iterations));
+            }
+        };
+        write!(f, "{outcome} after {}; ", Iterations(iterations))?;
+        write!(f, "largest residual {value:.1e} in ")?;
+        self.write_place(f)
+    }
+}
+
+impl StepError {
+    fn write_place(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.fault.place {
+            Place::Equation(row) => {
+                let equations = self.solver.map_or(&[][..], |solver| solver.equations);
+                write_equation(f, equations, row)
+            }
+            Place::Unknown(position) => {
+                let unknowns = self.solver.map_or(&[][..], |solver| solver.unknowns);
+                write_unknown(f, unknowns, position)
+            }
+            Place::State(position) => {
+                let variables = self.description.states;
+                let component = Component {
+                    variables,
+                    position,
+                };
+                write!(f, "state {component} at the end of the step")
+            }
+        }
+    }
+}
+
+/// `1 iteration`, `2 iterations`.
+struct Iterations(usize);
+
+impl fmt::Display for Iterations {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let plural = if self.0 == 1 { "" } else { "s" };
+        write!(f, "{} iteration{plural}", self.0)
+    }
+}
+
+impl core::error::Error for StepError {}
+
+/// A run that cannot start.
+#[derive(Debug, Clone, Copy)]
+pub enum InvalidRun {
+    /// The step is 0, infinite or NaN.
+    StepSize(f64),
+    /// The start time is infinite or NaN.
+    StartTime(f64),
+    /// A parameter is infinite or NaN.
+    Parameter(Component, f64),
+    /// A start value is infinite or NaN.
+    StartValue(Component, f64),
+    /// A slice has the wrong number of values.
+    Length {
+        /// `parameters` or `start values`.
+        what: &'static str,
+        /// Values that the model has.
+        expected: usize,
+        /// Values given.
+        found: usize,
+    },
+}
+
+impl fmt::Display for InvalidRun {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::StepSize(h) => write!(f, "step h is {h}, expected a finite number other than 0"),
+            Self::StartTime(t) => write!(f, "start time is {t}, expected a finite number"),
+            Self::Parameter(component, value) => write!(f, "parameter {component} is {value}"),
+            Self::StartValue(component, value) => write!(f, "start value {component} is {value}"),
+            Self::Length {
+                what,
+                expected,
+                found,
+            } => write!(f, "expected {expected} {what}, found {found}"),
+        }
+    }
+}
+
+impl core::error::Error for InvalidRun {}
+
+/// A run that did not reach its end.
+#[derive(Debug, Clone, Copy)]
+pub enum RunError {
+    /// It could not start.
+    Invalid(InvalidRun),
+    /// A step failed.
+    Step(StepError),
+}
+
+impl From<InvalidRun> for RunError {
+    fn from(error: InvalidRun) -> Self {
+        Self::Invalid(error)
+    }
+}
+
+impl From<StepError> for RunError {
+    fn from(error: StepError) -> Self {
+        Self::Step(error)
+    }
+}
+
+impl fmt::Display for RunError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Invalid(error) => error.fmt(f),
+            Self::Step(error) => error.fmt(f),
+        }
+    }
+}
+
+impl core::error::Error for RunError {}
+
+#[cfg(test)]
+mod tests;

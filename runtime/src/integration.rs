@@ -1,0 +1,176 @@
+//! A run of a model: time and state, advanced by a numerical method.
+
+use crate::component::Component;
+use crate::description::Solver;
+use crate::error::Failure;
+use crate::error::Fault;
+use crate::error::InvalidRun;
+use crate::error::Place;
+use crate::error::StepError;
+use crate::model::Model;
+use crate::model::Record;
+use crate::report::History;
+use crate::report::Report;
+use crate::report::Statistics;
+use crate::scalar::Real;
+
+/// The flat state of a model, `[T; n]`.
+pub type FlatState<M, T> = <<M as Model<T>>::State as Record<T>>::Array;
+
+/// A one-step method with its workspace: from the state at t to the state at t + h.
+pub trait Method<T: Real> {
+    /// The model that it advances.
+    type Model: Model<T>;
+    /// Computes what depends on the parameters and the step `h` only.
+    fn new(parameters: &<Self::Model as Model<T>>::Parameters, h: T) -> Self;
+    /// The state at t + h, checked by the caller for being finite.
+    fn advance(
+        &mut self,
+        t: T,
+        state: &FlatState<Self::Model, T>,
+        statistics: &mut Statistics,
+    ) -> Result<(FlatState<Self::Model, T>, Report), Fault>;
+    /// The corrections of the last step.
+    fn history(&self) -> History;
+    /// The equations that faults refer to, for implicit methods.
+    fn solver() -> Option<&'static Solver>;
+}
+
+/// A run of a model from a start state, with a fixed step: a [`Stepper`](crate::Stepper) or a
+/// [`RungeKutta4`](crate::RungeKutta4).
+///
+/// All memory is in the value itself; a step allocates nothing.
+pub struct Integration<M: Method<T>, T: Real> {
+    pub(crate) method: M,
+    parameters: <M::Model as Model<T>>::Parameters,
+    state: FlatState<M::Model, T>,
+    h: T,
+    t0: T,
+    statistics: Statistics,
+}
+
+impl<M: Method<T>, T: Real> Integration<M, T> {
+    /// A run from `start` at t = 0 with the step `h` ([s] where the model has units). A negative `h` runs
+    /// backwards in time.
+    ///
+    /// Errors: `h` is 0, or `h`, a parameter or a start value is infinite or NaN.
+    pub fn new(
+        parameters: <M::Model as Model<T>>::Parameters,
+        start: <M::Model as Model<T>>::State,
+        h: T,
+    ) -> Result<Self, InvalidRun> {
+        if !h.is_finite() || h == T::constant(0.0) {
+            return Err(InvalidRun::StepSize(h.to_f64()));
+        }
+        if let Some((position, value)) = first_not_finite(parameters.to_array().as_ref()) {
+            let variables = M::Model::DESCRIPTION.parameters;
+            let component = Component {
+                variables,
+                position,
+            };
+            return Err(InvalidRun::Parameter(component, value));
+        }
+        let state = start.to_array();
+        if let Some((position, value)) = first_not_finite(state.as_ref()) {
+            let variables = M::Model::DESCRIPTION.states;
+            let component = Component {
+                variables,
+                position,
+            };
+            return Err(InvalidRun::StartValue(component, value));
+        }
+        Ok(Self {
+            method: M::new(&parameters, h),
+            parameters,
+            state,
+            h,
+            t0: T::constant(0.0),
+            statistics: Statistics::default(),
+        })
+    }
+
+    /// The same run with the time `t0` at its start.
+    ///
+    /// Errors: `t0` is infinite or NaN.
+    pub fn at(self, t0: T) -> Result<Self, InvalidRun> {
+        if !t0.is_finite() {
+            return Err(InvalidRun::StartTime(t0.to_f64()));
+        }
+        Ok(Self { t0, ..self })
+    }
+
+    /// Advances by one step.
+    ///
+    /// Errors: see [`Failure`]. A failed step leaves time and state as they were.
+    pub fn step(&mut self) -> Result<Report, StepError> {
+        let t = self.t();
+        let (next, report) = self
+            .method
+            .advance(t, &self.state, &mut self.statistics)
+            .map_err(|fault| self.error(fault))?;
+        if let Some((position, value)) = first_not_finite(next.as_ref()) {
+            return Err(self.error(Fault {
+                failure: Failure::NotFinite,
+                place: Place::State(position),
+                value,
+            }));
+        }
+        self.state = next;
+        self.statistics.steps += 1;
+        Ok(report)
+    }
+
+    /// The time t₀ + k h after k steps: one rounded product, never a sum of k steps.
+    pub fn t(&self) -> T {
+        self.t0 + T::constant(self.statistics.steps as f64) * self.h
+    }
+
+    /// The step h.
+    pub fn h(&self) -> T {
+        self.h
+    }
+
+    /// Steps completed.
+    pub fn steps(&self) -> u64 {
+        self.statistics.steps
+    }
+
+    /// The state under its names.
+    pub fn state(&self) -> <M::Model as Model<T>>::State {
+        Record::from_array(self.state)
+    }
+
+    /// The flat state, components in file order.
+    pub fn state_array(&self) -> &FlatState<M::Model, T> {
+        &self.state
+    }
+
+    /// Invariants and observables of the state.
+    pub fn outputs(&self) -> <M::Model as Model<T>>::Outputs {
+        M::Model::outputs(&self.parameters, self.h, self.t(), &self.state())
+    }
+
+    /// What the run has cost so far.
+    pub fn statistics(&self) -> Statistics {
+        self.statistics
+    }
+
+    fn error(&self, fault: Fault) -> StepError {
+        StepError {
+            fault,
+            step: self.steps(),
+            t: self.t().to_f64(),
+            history: self.method.history(),
+            description: M::Model::DESCRIPTION,
+            solver: M::solver(),
+        }
+    }
+}
+
+fn first_not_finite<T: Real>(values: &[T]) -> Option<(usize, f64)> {
+    let position = values.iter().position(|value| !value.is_finite())?;
+    Some((position, values[position].to_f64()))
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,244 @@
+//! Newton's method for the unknowns of one step: r(x) = 0, x ← x − J(x)⁻¹ r(x).
+
+use core::ops::Range;
+
+use crate::description::Unknown;
+use crate::error::Failure;
+use crate::error::Fault;
+use crate::error::Place;
+use crate::linear::Solvable;
+use crate::linear::SquareMatrix;
+use crate::model::Model;
+use crate::report::History;
+use crate::report::Report;
+use crate::report::Statistics;
+use crate::report::Success;
+use crate::scalar::Real;
+use crate::settings::ROUNDING;
+use crate::settings::Settings;
+
+/// Newton's method with its workspace, made once per run.
+pub(crate) struct Newton<S: Solvable<T>, T: Real> {
+    pub(crate) settings: Settings<T>,
+    /// The last iterate.
+    x: S::Unknowns,
+    /// The residual before the last correction.
+    r: S::Unknowns,
+    /// The Jacobian before the last correction.
+    j: S::Jacobian,
+    /// The last correction but one.
+    previous: S::Unknowns,
+    history: History,
+}
+
+impl<S: Solvable<T>, T: Real> Newton<S, T> {
+    pub(crate) fn new(settings: Settings<T>) -> Self {
+        let (zeros, j) = S::zeros();
+        Self {
+            settings,
+            x: zeros,
+            r: zeros,
+            j,
+            previous: zeros,
+            history: History::default(),
+        }
+    }
+
+    /// The unknowns of the step from `known`, the flat state.
+    pub(crate) fn solve(
+        &mut self,
+        scene: &S::Scene,
+        step: &S::Step,
+        known: &[T],
+        statistics: &mut Statistics,
+    ) -> Result<(S::Unknowns, Report), Fault> {
+        self.start(S::guess(scene, step));
+        let report = self
+            .iterate(scene, step, known, statistics)
+            .map_err(|failure| self.fault(failure))?;
+        Ok((self.x, report))
+    }
+
+    /// The corrections of the last [`Newton::solve`].
+    pub(crate) fn history(&self) -> History {
+        self.history
+    }
+
+    fn start(&mut self, guess: S::Unknowns) {
+        self.x = guess;
+        self.previous.as_mut().fill(T::constant(f64::INFINITY));
+        self.history = History::default();
+    }
+
+    fn iterate(
+        &mut self,
+        scene: &S::Scene,
+        step: &S::Step,
+        known: &[T],
+        statistics: &mut Statistics,
+    ) -> Result<Report, Failure> {
+        let mut growths = 0;
+        while self.history.iterations() < self.settings.max_iterations {
+            S::residual_and_jacobian(scene, step, &self.x, &mut self.r, &mut self.j);
+            statistics.residuals += 1;
+            statistics.jacobians += 1;
+            require_finite(&self.r)?;
+
+            let correction = self.j.solve(&self.r).ok_or(Failure::Singular)?;
+            statistics.factorizations += 1;
+
+            subtract(&mut self.x, &correction);
+            statistics.iterations += 1;
+            require_finite(&self.x)?;
+
+            let progress = self.progress(&correction, known);
+            self.history.push(progress.size.to_f64());
+            if progress.converged {
+                return Ok(self.report(Success::Converged, progress));
+            }
+            if progress.shrinking {
+                growths = 0;
+            } else if progress.small || self.residual_is_rounding(known) {
+                return Ok(self.report(Success::AtFloor, progress));
+            } else {
+                growths += 1;
+            }
+            if growths == self.settings.max_growths {
+                return Err(Failure::Diverged);
+            }
+            self.previous = correction;
+        }
+        Err(Failure::Stalled)
+    }
+
+    fn report(&self, success: Success, progress: Progress<T>) -> Report {
+        Report {
+            iterations: self.history.iterations(),
+            success,
+            correction: progress.size.to_f64(),
+        }
+    }
+
+    /// Blames the first component that is not finite, or else the largest residual.
+    fn fault(&self, failure: Failure) -> Fault {
+        let (r, x) = (self.r.as_ref(), self.x.as_ref());
+        let not_finite = |values: &[T]| values.iter().position(|value| !value.is_finite());
+        let larger = |worst: usize, i: usize| {
+            if r[i].abs() > r[worst].abs() {
+                i
+            } else {
+                worst
+            }
+        };
+        let (place, value) = if let Some(row) = not_finite(r) {
+            (Place::Equation(row), r[row])
+        } else if let Some(i) = not_finite(x) {
+            (Place::Unknown(i), x[i])
+        } else {
+            let row = (0..r.len()).fold(0, larger);
+            (Place::Equation(row), r[row])
+        };
+        Fault {
+            failure,
+            place,
+            value: value.to_f64(),
+        }
+    }
+
+    /// Judges `correction` block by block. A block is measured by itself and by the state it advances, never
+    /// by another block, so the verdict does not depend on the units of the states.
+    fn progress(&self, correction: &S::Unknowns, known: &[T]) -> Progress<T> {
+        let zero = T::constant(0.0);
+        let floor = T::EPSILON.sqrt();
+        let mut progress = Progress {
+            size: zero,
+            converged: true,
+            small: true,
+            shrinking: true,
+        };
+        for (unknowns, scale) in self.blocks(known) {
+            let length = largest(&correction.as_ref()[unknowns.clone()]);
+            let before = largest(&self.previous.as_ref()[unknowns]);
+            if length > self.settings.tolerance * scale {
+                progress.converged = false;
+                progress.small &= length <= floor * scale;
+                progress.shrinking &= length < before;
+            }
+            if length > progress.size * scale {
+                progress.size = length / scale;
+            }
+        }
+        progress
+    }
+
+    /// Whether every |rᵢ| is within rounding of Σ |Jᵢⱼ| |xⱼ|, the size of its terms (the componentwise
+    /// backward error of Oettli and Prager, 1964). It tells noise in unknowns that vanish, such as the
+    /// increment of a body at rest, from corrections that do not shrink because Newton's method fails.
+    fn residual_is_rounding(&self, known: &[T]) -> bool {
+        let (r, j) = (self.r.as_ref(), self.j.entries());
+        let rounding = T::constant(ROUNDING) * T::EPSILON;
+        r.iter().zip(j.chunks_exact(r.len())).all(|(r, row)| {
+            let mut terms = T::constant(0.0);
+            for (unknowns, scale) in self.blocks(known) {
+                for entry in &row[unknowns] {
+                    terms = terms + entry.abs() * scale;
+                }
+            }
+            r.abs() <= rounding * terms
+        })
+    }
+
+    /// The blocks of unknowns, each with its scale: the largest |x| in the block and in the state it advances.
+    fn blocks<'a>(&'a self, known: &'a [T]) -> impl Iterator<Item = (Range<usize>, T)> + 'a {
+        let blocks: &[Unknown] = S::Model::DESCRIPTION.solvers[S::SOLVER].unknowns;
+        let mut offset = 0;
+        blocks.iter().map(move |block| {
+            let unknowns = offset..offset + block.len;
+            offset = unknowns.end;
+            let now = match block.state {
+                Some(state) => largest(&known[state..state + block.len]),
+                None => T::constant(0.0),
+            };
+            let next = largest(&self.x.as_ref()[unknowns.clone()]);
+            (unknowns, if next > now { next } else { now })
+        })
+    }
+}
+
+/// What one correction says about the iteration.
+struct Progress<T> {
+    /// The largest correction relative to the scale of its block.
+    size: T,
+    /// Every block is within the tolerance.
+    converged: bool,
+    /// Every block is within √ε, or within the tolerance.
+    small: bool,
+    /// Every block that is not within the tolerance was corrected less than the time before.
+    shrinking: bool,
+}
+
+/// The largest magnitude among finite numbers.
+fn largest<T: Real>(values: &[T]) -> T {
+    values.iter().fold(T::constant(0.0), |largest, value| {
+        let size = value.abs();
+        if size > largest { size } else { largest }
+    })
+}
+
+fn subtract<T: Real>(x: &mut impl AsMut<[T]>, correction: &impl AsRef<[T]>) {
+    for (x, correction) in x.as_mut().iter_mut().zip(correction.as_ref()) {
+        *x = *x - *correction;
+    }
+}
+
+/// Keeps NaN and infinity out of every comparison that follows.
+fn require_finite<T: Real>(values: &impl AsRef<[T]>) -> Result<(), Failure> {
+    if values.as_ref().iter().all(|value| value.is_finite()) {
+        Ok(())
+    } else {
+        Err(Failure::NotFinite)
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,70 @@
+//! What steps report when they succeed, and the corrections that led there.
+
+/// Why an iterate was accepted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Success {
+    /// The last correction was within the tolerance.
+    Converged,
+    /// Corrections stopped shrinking at the level of rounding errors, above the tolerance asked for.
+    AtFloor,
+}
+
+/// One accepted step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Report {
+    /// Newton corrections; 0 for explicit methods.
+    pub iterations: usize,
+    /// Why the last iterate was accepted.
+    pub success: Success,
+    /// The last correction relative to the unknowns, largest over their blocks; 0 for explicit methods.
+    pub correction: f64,
+}
+
+/// What a run has cost so far, failed steps included.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Statistics {
+    /// Accepted steps.
+    pub steps: u64,
+    /// Newton corrections applied.
+    pub iterations: u64,
+    /// Evaluations of the residual.
+    pub residuals: u64,
+    /// Evaluations of the Jacobian.
+    pub jacobians: u64,
+    /// Factorizations of the Jacobian.
+    pub factorizations: u64,
+    /// Evaluations of the continuous equations.
+    pub flows: u64,
+}
+
+/// Corrections that a [`History`] keeps.
+const KEPT: usize = 12;
+
+/// The last corrections of one step, each relative to the unknowns it corrects. Single precision is enough
+/// to read how they shrink.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct History {
+    iterations: usize,
+    sizes: [f32; KEPT],
+}
+
+impl History {
+    /// Adds the size of a correction and drops the oldest if there is no room.
+    pub fn push(&mut self, size: f64) {
+        if self.iterations >= KEPT {
+            self.sizes.rotate_left(1);
+        }
+        self.sizes[self.iterations.min(KEPT - 1)] = size as f32;
+        self.iterations += 1;
+    }
+
+    /// Corrections made, whether kept or not.
+    pub fn iterations(&self) -> usize {
+        self.iterations
+    }
+
+    /// The last 12 corrections or fewer, oldest first.
+    pub fn sizes(&self) -> &[f32] {
+        &self.sizes[..self.iterations.min(KEPT)]
+    }
+}

@@ -1,0 +1,38 @@
+//! Every number that steers Newton's method.
+
+use crate::scalar::Real;
+
+/// When Newton's method stops. The defaults suit implicit steppers, whose guess is close.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Settings<T = f64> {
+    /// Largest correction of a converged iterate, relative to the block of unknowns it belongs to and the
+    /// state that the block advances. Default 1e-12, for `f32` 64 ε.
+    ///
+    /// Convergence is quadratic, so the error left is far smaller than the correction. Larger saves at most
+    /// one iteration a step; smaller, 0 included, iterates down to the rounding floor, where corrections
+    /// stop shrinking.
+    pub tolerance: T,
+    /// Corrections before the step is given up as stalled. Default 50; a good guess takes 2 to 5.
+    pub max_iterations: usize,
+    /// Consecutive corrections that do not shrink before the step is given up as diverged. Default 4.
+    ///
+    /// Smaller gives up on iterations that wander before they converge; larger only delays the failure.
+    pub max_growths: usize,
+}
+
+impl<T: Real> Default for Settings<T> {
+    fn default() -> Self {
+        let epsilon = T::EPSILON.to_f64();
+        Self {
+            tolerance: T::constant(f64::max(1e-12, 64.0 * epsilon)),
+            max_iterations: 50,
+            max_growths: 4,
+        }
+    }
+}
+
+/// A residual this many ε times the size of its own terms is rounding error: a sum of n terms loses up to
+/// n ε/2 of them (Higham, *Accuracy and Stability of Numerical Algorithms*, section 4.2).
+///
+/// Larger takes unconverged iterates for solutions; smaller calls solutions stalled.
+pub(crate) const ROUNDING: f64 = 64.0;
