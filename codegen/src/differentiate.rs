@@ -170,3 +170,6 @@ fn power_partial(dag: &mut Dag, x: NodeId, y: NodeId, i: usize) -> NodeId {
         dag.mul(power, log)
     }
 }
+
+#[cfg(test)]
+mod tests;

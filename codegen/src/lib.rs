@@ -16,12 +16,22 @@
 //! the [`dag::Dag`] in normal form from the start, so derivatives never grow first and shrink later.
 
 pub mod ast;
+pub mod claims;
 pub mod dag;
 pub mod diagnostic;
 pub mod differentiate;
+pub mod emit;
+pub mod explicit;
+pub mod finding;
 pub mod function;
+pub mod lower;
+pub mod matrix;
 pub mod model;
 pub mod normal;
+pub mod pattern;
+pub mod sample;
 pub mod schedule;
+pub mod stage;
+pub mod structure;
 pub mod system;
 pub mod unit;

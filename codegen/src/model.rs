@@ -56,6 +56,22 @@ pub struct Variable {
     pub offset: usize,
 }
 
+impl Variable {
+    /// What is appended to the name for a component: nothing for a scalar, `.x` `.y` `.z` for short
+    /// vectors, `.4` for long ones, `.12` for the entry in row 1, column 2 of a matrix.
+    pub fn component_suffix(&self, component: usize) -> String {
+        let Shape { rows, cols } = self.shape;
+        let (row, col) = (component / cols, component % cols);
+        match (rows, cols) {
+            (1, 1) => String::new(),
+            (2..=3, 1) => format!(".{}", ["x", "y", "z"][row]),
+            (_, 1) => format!(".{}", row + 1),
+            _ if rows < 10 && cols < 10 => format!(".{}{}", row + 1, col + 1),
+            _ => format!(".{}_{}", row + 1, col + 1),
+        }
+    }
+}
+
 /// A parameter and its default.
 #[derive(Clone, Debug)]
 pub struct Parameter {

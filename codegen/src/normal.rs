@@ -175,8 +175,13 @@ impl Dag {
                 Node::Product(inner) if inner.len() <= MERGED && merges(inner, exponent) => {
                     open.extend(inner.iter().map(|(n, e)| (*n, e * exponent)));
                 }
-                Node::Call(Elementary::Sqrt, argument) if exponent % 2 == 0 => {
-                    open.push((argument[0], exponent / 2));
+                Node::Call(Elementary::Sqrt, argument) => {
+                    let total = collected.remove(&id).unwrap_or(0) + exponent;
+                    if total % 2 == 0 {
+                        open.push((argument[0], total / 2));
+                    } else {
+                        collected.insert(id, total);
+                    }
                 }
                 _ => *collected.entry(id).or_default() += exponent,
             }
@@ -225,6 +230,36 @@ impl Dag {
             };
         }
         self.intern(Node::Call(function, arguments))
+    }
+
+    /// `roots` with every leaf that `replacement` knows replaced.
+    pub fn substitute(
+        &mut self,
+        roots: &[NodeId],
+        replacement: impl Fn(Leaf) -> Option<NodeId>,
+    ) -> Vec<NodeId> {
+        let needed = self.reachable(roots);
+        let mut replaced: Vec<NodeId> = (0..needed.len() as u32).map(NodeId).collect();
+        for i in (0..needed.len()).filter(|&i| needed[i]) {
+            let new = |id: &NodeId| replaced[id.index()];
+            replaced[i] = match self.nodes()[i].clone() {
+                Node::Constant(_) | Node::Pi => continue,
+                Node::Leaf(leaf) => replacement(leaf).unwrap_or(replaced[i]),
+                Node::Sum(terms) => {
+                    let terms: Vec<_> = terms.iter().map(|(c, n)| (c.clone(), new(n))).collect();
+                    self.sum(terms)
+                }
+                Node::Product(factors) => {
+                    let factors: Vec<_> = factors.iter().map(|(n, e)| (new(n), *e)).collect();
+                    self.product(factors)
+                }
+                Node::Call(function, arguments) => {
+                    let arguments = arguments.iter().map(new).collect();
+                    self.call(function, arguments)
+                }
+            };
+        }
+        roots.iter().map(|r| replaced[r.index()]).collect()
     }
 
     /// The value of a call whose arguments and value are exact.
@@ -357,3 +392,6 @@ fn parity(function: Elementary) -> Parity {
         | Elementary::Stumpff(_) => Parity::Neither,
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,9 +1,13 @@
 //! What is computed where: the output of `stage`, the input of `emit`.
 
+use crate::ast::Form;
 use crate::dag::Elementary;
 use crate::dag::Leaf;
 use crate::dag::Rate;
 use num_rational::BigRational;
+use num_traits::One;
+use num_traits::Signed;
+use std::ops::AddAssign;
 
 /// Index of a value in its [`Schedule`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -18,7 +22,7 @@ impl ValueId {
 
 /// How a value comes about. Unlike a node of the graph, a sum or product here is split so that each
 /// part is computed at its own rate.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Op {
     /// An exact number.
     Constant(BigRational),
@@ -59,7 +63,8 @@ pub struct Kernel {
     pub rate: Rate,
     /// Its results.
     pub roots: Vec<ValueId>,
-    /// The values of its own rate that it computes, operands first.
+    /// The values of its own rate that it computes, operands first, in the order in which the
+    /// roots need them. Numbers and inputs are not listed.
     pub body: Vec<ValueId>,
 }
 
@@ -85,6 +90,156 @@ pub struct Schedule {
     pub scene: Vec<ValueId>,
     /// Values of rate Step that faster code needs: the fields of the step cache.
     pub step: Vec<ValueId>,
-    /// The functions to emit.
+    /// The functions to emit; `scene` and `step`, which fill the caches, come first.
     pub kernels: Vec<Kernel>,
+}
+
+/// A solver at its rates.
+#[derive(Clone, Debug)]
+pub struct Solver {
+    /// Which unknowns.
+    pub form: Form,
+    /// Structural non-zeros of the Jacobian as (row, column), row by row.
+    pub pattern: Vec<(usize, usize)>,
+    /// Kernels `guess`, `residual`, `residual_and_jacobian` and `next`. The roots of
+    /// `residual_and_jacobian` are row by row rᵢ and the entries of its row in the pattern.
+    pub schedule: Schedule,
+}
+
+/// Everything that is emitted for one model.
+#[derive(Clone, Debug)]
+pub struct Program {
+    /// Kernel `defaults`.
+    pub defaults: Schedule,
+    /// Kernel `start`.
+    pub start: Schedule,
+    /// Kernel `outputs`.
+    pub outputs: Schedule,
+    /// Kernel `flow`, if the model has one.
+    pub flow: Option<Schedule>,
+    /// One per form.
+    pub solvers: Vec<Solver>,
+}
+
+impl Op {
+    /// The values it needs, first to last.
+    pub fn operands(&self) -> Vec<ValueId> {
+        match self {
+            Op::Constant(_) | Op::Pi | Op::Leaf(_) => Vec::new(),
+            Op::Sum(terms) => terms.iter().map(|t| t.1).collect(),
+            Op::Product {
+                numerator,
+                denominator,
+                ..
+            } => numerator.iter().chain(denominator).copied().collect(),
+            Op::Call(_, arguments) => arguments.clone(),
+        }
+    }
+
+    /// A number or an input: there is nothing to compute.
+    pub fn is_given(&self) -> bool {
+        matches!(self, Op::Constant(_) | Op::Pi | Op::Leaf(_))
+    }
+
+    /// A number that is written where it is used.
+    pub fn is_number(&self) -> bool {
+        matches!(self, Op::Constant(_) | Op::Pi)
+    }
+
+    /// What it costs. A sign costs nothing.
+    pub fn count(&self) -> Count {
+        let mut count = Count::default();
+        match self {
+            Op::Constant(_) | Op::Pi | Op::Leaf(_) => {}
+            Op::Sum(terms) => {
+                count.additions = terms.len() - 1;
+                count.multiplications = terms.iter().filter(|t| !t.0.abs().is_one()).count();
+            }
+            Op::Product {
+                coefficient,
+                numerator,
+                denominator,
+            } => {
+                let factors = numerator.len() + usize::from(!coefficient.abs().is_one());
+                count.multiplications =
+                    factors.saturating_sub(1) + denominator.len().saturating_sub(1);
+                count.divisions = usize::from(!denominator.is_empty());
+            }
+            Op::Call(..) => count.calls = 1,
+        }
+        count
+    }
+}
+
+impl Schedule {
+    /// The value behind an id.
+    pub fn value(&self, id: ValueId) -> &Value {
+        &self.values[id.index()]
+    }
+
+    /// The kernel called `name`.
+    pub fn kernel(&self, name: &str) -> Option<&Kernel> {
+        self.kernels.iter().find(|k| k.name == name)
+    }
+
+    /// The operations of one call of `kernel`.
+    pub fn count(&self, kernel: &Kernel) -> Count {
+        let mut count = Count::default();
+        for &id in &kernel.body {
+            count += self.value(id).op.count();
+        }
+        count
+    }
+}
+
+impl Schedule {
+    /// Checks what `emit` relies on: operands stand before users, and a kernel uses only what it has
+    /// computed before, inputs of its own rate, numbers and cached values of slower rates.
+    ///
+    /// # Errors
+    /// Says which value breaks which rule.
+    pub fn verify(&self) -> Result<(), String> {
+        for (i, value) in self.values.iter().enumerate() {
+            if value.op.operands().iter().any(|o| o.index() >= i) {
+                return Err(format!(
+                    "value {i} uses a value that does not stand before it"
+                ));
+            }
+        }
+        for kernel in &self.kernels {
+            let mut known = vec![false; self.values.len()];
+            for (i, value) in self.values.iter().enumerate() {
+                known[i] = value.op.is_number() || value.op.is_given() && value.rate == kernel.rate;
+            }
+            let caches = [(Rate::Scene, &self.scene), (Rate::Step, &self.step)];
+            for (rate, cache) in caches.into_iter().filter(|c| c.0 < kernel.rate) {
+                for id in cache {
+                    known[id.index()] = self.value(*id).rate == rate;
+                }
+            }
+            for id in &kernel.body {
+                let operands = self.value(*id).op.operands();
+                if let Some(missing) = operands.iter().find(|o| !known[o.index()]) {
+                    return Err(format!("{}: {id:?} needs {missing:?}", kernel.name));
+                }
+                known[id.index()] = self.value(*id).rate == kernel.rate;
+            }
+            if let Some(missing) = kernel.roots.iter().find(|r| !known[r.index()]) {
+                return Err(format!(
+                    "{}: the result {missing:?} is unknown",
+                    kernel.name
+                ));
+            }
+        }
+        Ok(())
+    }
+}
+
+impl AddAssign for Count {
+    fn add_assign(&mut self, other: Count) {
+        self.additions += other.additions;
+        self.multiplications += other.multiplications;
+        self.divisions += other.divisions;
+        self.calls += other.calls;
+    }
 }

@@ -1,8 +1,50 @@
-//! The equations of one solver as a graph with its structure: the output of `structure`.
+//! Equations as graphs: as `lower` leaves them, and with their derivatives and structure.
 
 use crate::ast::Form;
 use crate::dag::Dag;
 use crate::dag::NodeId;
+use crate::model::Shape;
+
+/// A solver as scalars, before its derivative is known.
+#[derive(Clone, Debug)]
+pub struct Discrete {
+    /// Which unknowns.
+    pub form: Form,
+    /// All nodes.
+    pub dag: Dag,
+    /// rᵢ = left − right, one per scalar equation.
+    pub residual: Vec<NodeId>,
+    /// First guess of each unknown.
+    pub guess: Vec<NodeId>,
+    /// The state after the step.
+    pub next: Vec<NodeId>,
+    /// The block rows of each claim.
+    pub claims: Vec<Vec<Vec<ClaimedBlock>>>,
+}
+
+/// A block of a claim as written.
+#[derive(Clone, Debug)]
+pub struct ClaimedBlock {
+    /// Its shape; `None` for a multiple of `I` without a size.
+    pub shape: Option<Shape>,
+    /// Row by row; the factor alone for a multiple of `I`.
+    pub entries: Vec<NodeId>,
+}
+
+/// Everything but the solvers, before the flow is solved for the rates.
+#[derive(Clone, Debug)]
+pub struct Continuous {
+    /// All nodes.
+    pub dag: Dag,
+    /// Default of each parameter component.
+    pub defaults: Vec<NodeId>,
+    /// Start value of each state component.
+    pub start: Vec<NodeId>,
+    /// Each output component.
+    pub outputs: Vec<NodeId>,
+    /// Left − right of each continuous equation; the rates are its unknowns, in state order.
+    pub flow: Vec<NodeId>,
+}
 
 /// A structural non-zero of the Jacobian.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

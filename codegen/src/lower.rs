@@ -1,0 +1,98 @@
+//! From a checked model to scalars: no vectors, no time levels and no `let`s after this point.
+//!
+//! Each solver gets a graph of its own, because what `x[k+1]` and `Δx` mean depends on the form:
+//!
+//! | | form `next` | form `increment` |
+//! |---|---|---|
+//! | unknown | `x[k+1]` | `Δx` |
+//! | `x[k+1]` | the unknown | `x + Δx` |
+//! | `Δx` | `x[k+1] − x` | the unknown |
+//! | `x[k+1/2]` | `(x + x[k+1])/2` | `x + Δx/2` |
+//! | `der(x)` | `Δx/h` | `Δx/h` |
+//!
+//! A state that `update` defines explicitly has that expression as its `x[k+1]`.
+
+mod context;
+mod functions;
+
+use crate::ast::ExprId;
+use crate::ast::Form;
+use crate::dag::NodeId;
+use crate::diagnostic::Errors;
+use crate::model::Model;
+use crate::system::Continuous;
+use crate::system::Discrete;
+use context::Context;
+use context::Meaning;
+
+/// One solver of `model` as scalars.
+///
+/// # Errors
+/// What only shows in scalars: `exp` and `cay` of a matrix that is not skew, division by zero,
+/// exponents out of range.
+pub fn lower_discrete(model: &Model, form: Form) -> Result<Discrete, Errors> {
+    let mut context = Context::new(model, Meaning::Discrete(form));
+    let residual = differences(&mut context, &model.residual);
+    let guess = context.guesses();
+    let next = context.next_states();
+    let claims = model
+        .claims
+        .iter()
+        .map(|claim| {
+            let row =
+                |row: &Vec<(ExprId, String)>| row.iter().map(|b| context.claimed(b.0)).collect();
+            claim.blocks.iter().map(row).collect()
+        })
+        .collect();
+    let Context { dag, errors, .. } = context;
+    errors.or(Discrete {
+        form,
+        dag,
+        residual,
+        guess,
+        next,
+        claims,
+    })
+}
+
+/// Defaults, start, outputs and flow of `model` as scalars.
+///
+/// # Errors
+/// As [`lower_discrete`].
+pub fn lower_continuous(model: &Model) -> Result<Continuous, Errors> {
+    let mut context = Context::new(model, Meaning::Continuous);
+    let mut defaults = Vec::new();
+    for parameter in &model.parameters {
+        defaults.extend(context.components(parameter.default, parameter.variable.shape));
+    }
+    let mut start = Vec::new();
+    for state in &model.states {
+        start.extend(context.components(state.start, state.variable.shape));
+    }
+    let mut outputs = Vec::new();
+    for output in &model.outputs {
+        outputs.extend(context.components(output.value, output.variable.shape));
+    }
+    let flow = differences(&mut context, &model.flow);
+    let Context { dag, errors, .. } = context;
+    errors.or(Continuous {
+        dag,
+        defaults,
+        start,
+        outputs,
+        flow,
+    })
+}
+
+/// Left − right of every component of `equations`.
+fn differences(context: &mut Context, equations: &[crate::model::Equation]) -> Vec<NodeId> {
+    let mut roots = Vec::new();
+    for equation in equations {
+        let left = context.components(equation.lhs, equation.shape);
+        let right = context.components(equation.rhs, equation.shape);
+        for (left, right) in left.into_iter().zip(right) {
+            roots.push(context.dag.sub(left, right));
+        }
+    }
+    roots
+}

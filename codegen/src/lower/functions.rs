@@ -1,0 +1,209 @@
+//! The functions of the language on matrices of nodes.
+
+use crate::dag::Dag;
+use crate::dag::Elementary;
+use crate::dag::NodeId;
+use crate::function::Function;
+use crate::matrix::Matrix;
+use crate::matrix::add_all;
+use crate::model::Shape;
+use crate::normal::rational;
+use num_traits::ToPrimitive;
+
+/// `function` of `arguments`, whose number and shapes `check` has approved.
+///
+/// # Errors
+/// Says what is wrong with arguments whose values matter: a matrix that is not skew, an order that is
+/// not a literal.
+pub fn apply(dag: &mut Dag, function: Function, arguments: &[Matrix]) -> Result<Matrix, String> {
+    let first = &arguments[0];
+    let scalar = |dag: &mut Dag, f: Elementary| {
+        let nodes = arguments.iter().map(|a| a.entries[0]).collect();
+        Ok(Matrix::scalar(dag.call(f, nodes)))
+    };
+    match function {
+        Function::Sin => scalar(dag, Elementary::Sin),
+        Function::Cos => scalar(dag, Elementary::Cos),
+        Function::Tan => scalar(dag, Elementary::Tan),
+        Function::Asin => scalar(dag, Elementary::Asin),
+        Function::Acos => scalar(dag, Elementary::Acos),
+        Function::Atan => scalar(dag, Elementary::Atan),
+        Function::Atan2 => scalar(dag, Elementary::Atan2),
+        Function::Sinh => scalar(dag, Elementary::Sinh),
+        Function::Cosh => scalar(dag, Elementary::Cosh),
+        Function::Tanh => scalar(dag, Elementary::Tanh),
+        Function::Log => scalar(dag, Elementary::Log),
+        Function::Sqrt => scalar(dag, Elementary::Sqrt),
+        Function::Abs => scalar(dag, Elementary::Abs),
+        Function::Sign => scalar(dag, Elementary::Sign),
+        Function::Exp if first.shape.is_scalar() => scalar(dag, Elementary::Exp),
+        Function::Exp => axis(dag, "exp", first).map(|v| exponential(dag, &v)),
+        Function::Cay => axis(dag, "cay", first).map(|v| cayley(dag, &v)),
+        Function::Sinc => Ok(small_angle(dag, 1, first.entries[0])),
+        Function::Cosc => Ok(small_angle(dag, 2, first.entries[0])),
+        Function::Stumpff => {
+            let order = dag.as_constant(first.entries[0]).filter(|n| n.is_integer());
+            let order = order
+                .and_then(|n| n.to_u32())
+                .filter(|n| *n <= HIGHEST_ORDER)
+                .ok_or_else(|| {
+                    format!("the order of stumpff must be a whole number from 0 to {HIGHEST_ORDER}")
+                })?;
+            let argument = arguments[1].entries[0];
+            Ok(Matrix::scalar(
+                dag.call(Elementary::Stumpff(order), vec![argument]),
+            ))
+        }
+        Function::Norm => {
+            let square = first.dot(dag, first);
+            Ok(Matrix::scalar(dag.call(Elementary::Sqrt, vec![square])))
+        }
+        Function::Dot => Ok(Matrix::scalar(first.dot(dag, &arguments[1]))),
+        Function::Cross => Ok(skew(dag, first).product(dag, &arguments[1])),
+        Function::Skew => Ok(skew(dag, first)),
+        Function::Vee => Ok(vee(dag, first)),
+        Function::Rx => Ok(turn(dag, first.entries[0], 0)),
+        Function::Ry => Ok(turn(dag, first.entries[0], 1)),
+        Function::Rz => Ok(turn(dag, first.entries[0], 2)),
+        Function::Diag => Ok(diagonal(dag, arguments)),
+        Function::Trace => {
+            let diagonal: Vec<_> = (0..first.shape.rows).map(|i| first.at(i, i)).collect();
+            Ok(Matrix::scalar(add_all(dag, &diagonal)))
+        }
+        Function::Det => Ok(Matrix::scalar(first.determinant(dag))),
+        Function::Inv => inverse(dag, first),
+    }
+}
+
+/// Highest order of `stumpff` that a model may write; derivatives raise it further.
+const HIGHEST_ORDER: u32 = 16;
+
+/// cₙ(x²)
+fn small_angle(dag: &mut Dag, n: u32, x: NodeId) -> Matrix {
+    let square = dag.mul(x, x);
+    Matrix::scalar(dag.call(Elementary::Stumpff(n), vec![square]))
+}
+
+/// S(a): `[[0, -a], [a, 0]]` of a scalar, `S(a) b = a × b` of a 3-vector.
+fn skew(dag: &mut Dag, a: &Matrix) -> Matrix {
+    let zero = dag.integer(0);
+    let minus = a.map(|e| dag.neg(e)).entries;
+    match a.entries.as_slice() {
+        [x] => Matrix::from_rows([[zero, minus[0]], [*x, zero]]),
+        [x, y, z] => Matrix::from_rows([
+            [zero, minus[2], *y],
+            [*z, zero, minus[0]],
+            [minus[1], *x, zero],
+        ]),
+        _ => unreachable!("check admits scalars and 3-vectors only"),
+    }
+}
+
+/// The inverse of S on the skew part (A − Aᵀ)/2.
+fn vee(dag: &mut Dag, a: &Matrix) -> Matrix {
+    let half = num_rational::BigRational::new(1.into(), 2.into());
+    let mut part =
+        |i: usize, j: usize| dag.sum([(half.clone(), a.at(i, j)), (-half.clone(), a.at(j, i))]);
+    if a.shape.rows == 2 {
+        Matrix::scalar(part(1, 0))
+    } else {
+        Matrix::vector(vec![part(2, 1), part(0, 2), part(1, 0)])
+    }
+}
+
+/// v where A = S(v).
+fn axis(dag: &mut Dag, function: &str, a: &Matrix) -> Result<Matrix, String> {
+    let minus_transpose = a.transpose().map(|e| dag.neg(e));
+    if a.entries != minus_transpose.entries {
+        return Err(format!(
+            "{function} of a matrix is known for skew matrices only, such as {function}(S(v))"
+        ));
+    }
+    Ok(vee(dag, a))
+}
+
+/// exp(S(v)): Rodrigues' formula I + c₁(v·v) S(v) + c₂(v·v) S(v)², without a singularity at 0.
+fn exponential(dag: &mut Dag, v: &Matrix) -> Matrix {
+    if v.shape.is_scalar() {
+        let sin = dag.call(Elementary::Sin, v.entries.clone());
+        let cos = dag.call(Elementary::Cos, v.entries.clone());
+        let minus_sin = dag.neg(sin);
+        return Matrix::from_rows([[cos, minus_sin], [sin, cos]]);
+    }
+    let square = v.dot(dag, v);
+    let linear = dag.call(Elementary::Stumpff(1), vec![square]);
+    let quadratic = dag.call(Elementary::Stumpff(2), vec![square]);
+    rodrigues(dag, v, linear, quadratic)
+}
+
+/// cay(S(v)) = (I − S(v))⁻¹ (I + S(v)) = I + 2/(1 + v·v) (S(v) + S(v)²).
+fn cayley(dag: &mut Dag, v: &Matrix) -> Matrix {
+    let one = dag.integer(1);
+    let square = v.dot(dag, v);
+    let below = dag.add(one, square);
+    let inverse = dag.product([(below, -1)]);
+    let factor = dag.scale(rational(2), inverse);
+    if v.shape.is_scalar() {
+        let above = dag.sub(one, square);
+        let cos = dag.mul(above, inverse);
+        let sin = dag.mul(factor, v.entries[0]);
+        let minus_sin = dag.neg(sin);
+        return Matrix::from_rows([[cos, minus_sin], [sin, cos]]);
+    }
+    rodrigues(dag, v, factor, factor)
+}
+
+/// I + a S(v) + b S(v)²
+fn rodrigues(dag: &mut Dag, v: &Matrix, a: NodeId, b: NodeId) -> Matrix {
+    let one = dag.integer(1);
+    let skew = skew(dag, v);
+    let square = skew.product(dag, &skew);
+    let identity = Matrix::diagonal(dag, skew.shape, one);
+    let linear = skew.map(|e| dag.mul(a, e));
+    let quadratic = square.map(|e| dag.mul(b, e));
+    let sum = identity.zip(&linear, |x, y| dag.add(x, y));
+    sum.zip(&quadratic, |x, y| dag.add(x, y))
+}
+
+/// Rotation by `angle` about coordinate axis `i`.
+fn turn(dag: &mut Dag, angle: NodeId, i: usize) -> Matrix {
+    let sin = dag.call(Elementary::Sin, vec![angle]);
+    let cos = dag.call(Elementary::Cos, vec![angle]);
+    let minus_sin = dag.neg(sin);
+    let (zero, one) = (dag.integer(0), dag.integer(1));
+    let mut entries = vec![zero; 9];
+    let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+    entries[4 * i] = one;
+    entries[4 * j] = cos;
+    entries[4 * k] = cos;
+    entries[3 * j + k] = minus_sin;
+    entries[3 * k + j] = sin;
+    Matrix {
+        shape: Shape { rows: 3, cols: 3 },
+        entries,
+    }
+}
+
+/// The square matrix with the entries of `arguments` on its diagonal.
+fn diagonal(dag: &mut Dag, arguments: &[Matrix]) -> Matrix {
+    let diagonal: Vec<_> = arguments.iter().flat_map(|a| a.entries.clone()).collect();
+    let zero = dag.integer(0);
+    let n = diagonal.len();
+    let mut entries = vec![zero; n * n];
+    for (i, entry) in diagonal.into_iter().enumerate() {
+        entries[i * n + i] = entry;
+    }
+    Matrix {
+        shape: Shape { rows: n, cols: n },
+        entries,
+    }
+}
+
+/// A⁻¹ up to 3×3: the adjugate over the determinant.
+fn inverse(dag: &mut Dag, a: &Matrix) -> Result<Matrix, String> {
+    let determinant = a.determinant(dag);
+    if dag.is_zero(determinant) {
+        return Err("inv of a matrix whose determinant is zero".into());
+    }
+    Ok(a.adjugate(dag).map(|e| dag.div(e, determinant)))
+}

@@ -1,0 +1,172 @@
+use super::*;
+use crate::dag::Leaf;
+use crate::sample::Sample;
+
+fn x(dag: &mut Dag, i: usize) -> NodeId {
+    dag.leaf(Leaf::State(i))
+}
+
+fn ratio(a: i64, b: i64) -> BigRational {
+    BigRational::new(a.into(), b.into())
+}
+
+#[test]
+fn sums_cancel_and_collect() {
+    let mut dag = Dag::new();
+    let (a, b) = (x(&mut dag, 0), x(&mut dag, 1));
+    let sum = dag.add(a, b);
+    assert_eq!(dag.sub(sum, a), b);
+    let twice = dag.add(a, a);
+    assert_eq!(twice, dag.scale(rational(2), a));
+    let nothing = dag.sub(sum, sum);
+    assert!(dag.is_zero(nothing));
+}
+
+#[test]
+fn multiples_of_a_sum_share_it() {
+    let mut dag = Dag::new();
+    let (a, b) = (x(&mut dag, 0), x(&mut dag, 1));
+    let difference = dag.sub(a, b);
+    let reverse = dag.sub(b, a);
+    let mean = dag.sum([(ratio(1, 2), a), (ratio(-1, 2), b)]);
+    assert_eq!(dag.split_coefficient(reverse), (rational(-1), difference));
+    assert_eq!(dag.split_coefficient(mean), (ratio(1, 2), difference));
+    let decimal = dag.scale(ratio(981, 100), difference);
+    assert_eq!(
+        dag.split_coefficient(decimal),
+        (ratio(981, 100), difference)
+    );
+}
+
+#[test]
+fn products_collect_powers_and_roots() {
+    let mut dag = Dag::new();
+    let (a, b) = (x(&mut dag, 0), x(&mut dag, 1));
+    let product = dag.mul(a, b);
+    assert_eq!(dag.div(product, b), a);
+    let root = dag.call(Elementary::Sqrt, vec![product]);
+    assert_eq!(dag.mul(root, root), product);
+    let three = dag.integer(3);
+    let scaled = dag.mul(product, three);
+    assert_eq!(dag.split_coefficient(scaled), (rational(3), product));
+}
+
+#[test]
+fn functions_are_exact_where_their_values_are() {
+    let mut dag = Dag::new();
+    let pi = dag.pi();
+    let half_turn = dag.scale(ratio(1, 2), pi);
+    let cos = dag.call(Elementary::Cos, vec![half_turn]);
+    let sin = dag.call(Elementary::Sin, vec![half_turn]);
+    assert!(dag.is_zero(cos));
+    assert_eq!(sin, dag.integer(1));
+    let nine_quarters = dag.constant(ratio(9, 4));
+    let root = dag.call(Elementary::Sqrt, vec![nine_quarters]);
+    assert_eq!(dag.as_constant(root), Some(&ratio(3, 2)));
+    let zero = dag.integer(0);
+    let c3 = dag.call(Elementary::Stumpff(3), vec![zero]);
+    assert_eq!(dag.as_constant(c3), Some(&ratio(1, 6)));
+}
+
+#[test]
+fn odd_and_even_functions_take_no_sign() {
+    let mut dag = Dag::new();
+    let a = x(&mut dag, 0);
+    let minus = dag.neg(a);
+    let (sin, cos) = (Elementary::Sin, Elementary::Cos);
+    let (plus_sin, minus_sin) = (dag.call(sin, vec![a]), dag.call(sin, vec![minus]));
+    assert_eq!(minus_sin, dag.neg(plus_sin));
+    assert_eq!(dag.call(cos, vec![a]), dag.call(cos, vec![minus]));
+}
+
+#[test]
+fn towers_of_powers_stay_bounded() {
+    let mut dag = Dag::new();
+    let sixty_four = dag.integer(64);
+    let mut tower = dag.constant(ratio(981, 100));
+    for _ in 0..20 {
+        tower = dag.power(tower, sixty_four);
+    }
+    let a = x(&mut dag, 0);
+    let mut leaf_tower = a;
+    for _ in 0..20 {
+        leaf_tower = dag.power(leaf_tower, sixty_four);
+    }
+    assert_eq!(dag.verify(), Ok(()));
+}
+
+/// A chain in which each sum contains the one before must not cost the square of its length.
+#[test]
+fn chains_of_sums_stay_linear() {
+    let mut dag = Dag::new();
+    let mut sum = x(&mut dag, 0);
+    for i in 1..2000 {
+        let next = x(&mut dag, i);
+        let square = dag.mul(next, next);
+        sum = dag.add(sum, square);
+    }
+    let terms: usize = dag
+        .nodes()
+        .iter()
+        .map(|n| match n {
+            Node::Sum(terms) => terms.len(),
+            _ => 0,
+        })
+        .sum();
+    assert!(terms < 2000 * 2 * MERGED, "{terms} terms");
+}
+
+/// Random expressions: the constructors must give the value of the plain computation.
+#[test]
+fn normal_form_preserves_values() {
+    let mut bits = 0x2545_F491_4F6C_DD1D_u64;
+    let mut random = move |n: u64| {
+        bits ^= bits << 13;
+        bits ^= bits >> 7;
+        bits ^= bits << 17;
+        (bits >> 11) % n
+    };
+    let point = Sample::generic(3);
+    for _ in 0..300 {
+        let mut dag = Dag::new();
+        let mut nodes: Vec<(NodeId, f64)> = (0..4)
+            .map(|i| (x(&mut dag, i), point.value(Leaf::State(i))))
+            .collect();
+        for _ in 0..40 {
+            let (a, va) = nodes[random(nodes.len() as u64) as usize];
+            let (b, vb) = nodes[random(nodes.len() as u64) as usize];
+            let c = random(7) as i64 - 3;
+            let new = match random(7) {
+                0 => (dag.add(a, b), va + vb),
+                1 => (dag.sub(a, b), va - vb),
+                2 => (dag.mul(a, b), va * vb),
+                3 => (dag.scale(ratio(c, 2), a), c as f64 / 2.0 * va),
+                4 => (dag.call(Elementary::Sin, vec![a]), va.sin()),
+                5 => (dag.call(Elementary::Cos, vec![a]), va.cos()),
+                _ => (dag.call(Elementary::Stumpff(2), vec![b]), {
+                    let root = vb.abs().sqrt();
+                    if vb.abs() < 1e-6 {
+                        0.5
+                    } else if vb > 0.0 {
+                        (1.0 - root.cos()) / vb
+                    } else {
+                        (1.0 - root.cosh()) / vb
+                    }
+                }),
+            };
+            if new.1.abs() < 1e6 {
+                nodes.push(new);
+            }
+        }
+        assert_eq!(dag.verify(), Ok(()));
+        let values = point.evaluate(&dag);
+        for (id, expected) in nodes {
+            let found = values[id.index()];
+            // Forty operations on numbers below 1e6, some of them cancelling.
+            assert!(
+                (found - expected).abs() <= 1e-7 * expected.abs().max(1.0),
+                "{found} {expected}"
+            );
+        }
+    }
+}

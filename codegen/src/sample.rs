@@ -1,0 +1,52 @@
+//! Generic points: fixed pseudo-random values for every input, where two different expressions
+//! almost surely differ.
+
+use crate::dag::Dag;
+use crate::dag::Leaf;
+
+/// A generic point, given by its number.
+#[derive(Clone, Copy, Debug)]
+pub struct Sample {
+    number: u64,
+}
+
+impl Sample {
+    /// The `number`-th point.
+    pub fn generic(number: u64) -> Self {
+        Self { number }
+    }
+
+    /// The value of an input: parameters, h and t between 0.3 and 1.7, states and unknowns between
+    /// −1 and 1.
+    pub fn value(self, leaf: Leaf) -> f64 {
+        let (kind, index) = match leaf {
+            Leaf::Parameter(i) => (1, i),
+            Leaf::StepSize => (2, 0),
+            Leaf::Time => (3, 0),
+            Leaf::State(i) => (4, i),
+            Leaf::Unknown(i) => (5, i),
+        };
+        let unit = mix(self.number << 40 ^ kind << 32 ^ index as u64);
+        if kind <= 3 {
+            0.3 + 1.4 * unit
+        } else {
+            2.0 * unit - 1.0
+        }
+    }
+
+    /// The value of every node at this point.
+    pub fn evaluate(self, dag: &Dag) -> Vec<f64> {
+        dag.evaluate(|leaf| self.value(leaf))
+    }
+}
+
+/// A number in [0, 1) from the bits of `seed` (SplitMix64: Steele, Lea, Flood 2014).
+fn mix(seed: u64) -> f64 {
+    let mut z = seed
+        .wrapping_mul(0x9E37_79B9_7F4A_7C15)
+        .wrapping_add(0x9E37_79B9_7F4A_7C15);
+    z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+    z ^= z >> 31;
+    (z >> 11) as f64 / (1u64 << 53) as f64
+}

@@ -1,0 +1,87 @@
+//! Graph → [`Schedule`]: at which rate each part of an expression is computed.
+//!
+//! In comes a graph and the functions wanted from it; out comes a list of values in which every sum
+//! and product is split by rate. After this point nothing is computed more often than its operands
+//! change, and every value exists once.
+//!
+//! ```text
+//! 2 h m g l (Γ⁺ + Γ)  →  scene:     c = 2 h m g l
+//!                        iteration: c · (Γ⁺ + Γ)
+//! x / (J y)           →  scene:     c = 1 / J
+//!                        iteration: c · x / y
+//! ```
+
+mod order;
+mod share;
+mod split;
+mod values;
+
+#[cfg(test)]
+mod tests;
+
+use crate::dag::Dag;
+use crate::dag::NodeId;
+use crate::dag::Rate;
+use crate::schedule::Program;
+use crate::schedule::Schedule;
+use crate::schedule::Solver;
+use crate::system::Equations;
+use crate::system::System;
+
+/// A function wanted from a graph: its name, when it is called, and its results.
+pub type Wanted = (&'static str, Rate, Vec<NodeId>);
+
+/// Splits everything that `kernels` need by rate.
+///
+/// A kernel finds slower values in the caches that the kernels `scene` and `step` fill, and computes
+/// those of its own rate. No root may be faster than its kernel.
+pub fn stage(dag: &Dag, kernels: &[Wanted]) -> Schedule {
+    let (mut values, roots) = split::split(dag, kernels);
+    share::reciprocals(&mut values);
+    share::pairs(&mut values);
+    let schedule = order::order(values, &roots);
+    debug_assert_eq!(schedule.verify(), Ok(()));
+    schedule
+}
+
+/// The schedules of a whole model.
+pub fn program(equations: &Equations, systems: &[System]) -> Program {
+    let one = |name, rate, roots: &[NodeId]| stage(&equations.dag, &[(name, rate, roots.to_vec())]);
+    Program {
+        defaults: one("defaults", Rate::Scene, &equations.defaults),
+        start: one("start", Rate::Scene, &equations.start),
+        outputs: one("outputs", Rate::Step, &equations.outputs),
+        flow: equations
+            .flow
+            .as_ref()
+            .map(|roots| one("flow", Rate::Step, roots)),
+        solvers: systems.iter().map(solver).collect(),
+    }
+}
+
+fn solver(system: &System) -> Solver {
+    let mut rows = Vec::with_capacity(system.residual.len() + system.jacobian.len());
+    for (row, &residual) in system.residual.iter().enumerate() {
+        rows.push(residual);
+        rows.extend(
+            system
+                .jacobian
+                .iter()
+                .filter(|e| e.row == row)
+                .map(|e| e.node),
+        );
+    }
+    // The guess is called once per step, but from outside the step kernel: as a kernel of the
+    // fastest rate it finds everything it needs in the caches.
+    let kernels = [
+        ("guess", Rate::Iteration, system.guess.clone()),
+        ("residual", Rate::Iteration, system.residual.clone()),
+        ("residual_and_jacobian", Rate::Iteration, rows),
+        ("next", Rate::Iteration, system.next.clone()),
+    ];
+    Solver {
+        form: system.form,
+        pattern: system.jacobian.iter().map(|e| (e.row, e.col)).collect(),
+        schedule: stage(&system.dag, &kernels),
+    }
+}

@@ -1,0 +1,169 @@
+//! Sub-expressions that several values have in common.
+
+use super::values::Values;
+use crate::dag::Rate;
+use crate::schedule::Op;
+use crate::schedule::ValueId;
+use num_rational::BigRational;
+use num_traits::One;
+use num_traits::Signed;
+use std::collections::HashMap;
+use std::collections::HashSet;
+
+/// Most operands of a value that is searched for common pairs: the search is quadratic in it.
+const OPERANDS: usize = 48;
+
+/// Divides by a value once where several products of one rate would: x/d and y/d become x·(1/d) and
+/// y·(1/d). The scene part is left as it is, since it is computed once and reads better.
+pub(super) fn reciprocals(values: &mut Values) {
+    let mut users: HashMap<ValueId, Vec<ValueId>> = HashMap::new();
+    let mut divisors = Vec::new();
+    for (id, value) in values.iter() {
+        if let Op::Product { denominator, .. } = &value.op
+            && value.rate > Rate::Scene
+        {
+            for divisor in denominator {
+                let users = users.entry(*divisor).or_default();
+                users.push(id);
+                if users.len() == 2 {
+                    divisors.push(*divisor);
+                }
+            }
+        }
+    }
+    for divisor in divisors {
+        let reciprocal = values.fraction(BigRational::one(), Vec::new(), vec![divisor]);
+        for user in &users[&divisor] {
+            if *user != reciprocal
+                && let Op::Product {
+                    numerator,
+                    denominator,
+                    ..
+                } = &mut values.list[user.index()].op
+            {
+                denominator.clear();
+                numerator.push(reciprocal);
+            }
+        }
+    }
+}
+
+/// a + c·b or a·b inside larger values of the same kind; a < b, c = ±1.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+struct Pair {
+    is_sum: bool,
+    a: ValueId,
+    b: ValueId,
+    is_difference: bool,
+}
+
+/// Computes once what several sums, or several products, have in common: in rounds, each of which
+/// takes the most frequent pairs of operands out of the values that contain them. The scene part is
+/// left as it is here, too.
+pub(super) fn pairs(values: &mut Values) {
+    loop {
+        let found = occurrences(values);
+        let mut frequent: Vec<_> = found.into_iter().filter(|f| f.1.len() > 1).collect();
+        frequent.sort_by(|x, y| y.1.len().cmp(&x.1.len()).then(x.0.cmp(&y.0)));
+        let mut has_changed = HashSet::new();
+        for (pair, users) in frequent {
+            let users: Vec<_> = users
+                .into_iter()
+                .filter(|u| !has_changed.contains(u))
+                .collect();
+            if users.len() > 1 {
+                extract(pair, &users, values);
+                has_changed.extend(users);
+            }
+        }
+        if has_changed.is_empty() {
+            return;
+        }
+    }
+}
+
+/// Which values contain each pair, in value order.
+fn occurrences(values: &Values) -> HashMap<Pair, Vec<ValueId>> {
+    let mut found: HashMap<Pair, Vec<ValueId>> = HashMap::new();
+    for (user, value) in values.iter() {
+        let (is_sum, operands) = operands(&value.op);
+        if value.rate == Rate::Scene || operands.len() > OPERANDS {
+            continue;
+        }
+        for (i, first) in operands.iter().enumerate() {
+            for second in &operands[i + 1..] {
+                if let Some(pair) = pair(is_sum, first, second) {
+                    let users = found.entry(pair).or_default();
+                    if users.last() != Some(&user) {
+                        users.push(user);
+                    }
+                }
+            }
+        }
+    }
+    found
+}
+
+/// The terms of a sum, or the factors of a product with coefficients 1.
+fn operands(op: &Op) -> (bool, Vec<(BigRational, ValueId)>) {
+    match op {
+        Op::Sum(terms) => (true, terms.clone()),
+        Op::Product { numerator, .. } => {
+            let factors = numerator.iter().map(|v| (BigRational::one(), *v));
+            (false, factors.collect())
+        }
+        Op::Constant(_) | Op::Pi | Op::Leaf(_) | Op::Call(..) => (false, Vec::new()),
+    }
+}
+
+fn pair(is_sum: bool, x: &(BigRational, ValueId), y: &(BigRational, ValueId)) -> Option<Pair> {
+    let (first, second) = if x.1 <= y.1 { (x, y) } else { (y, x) };
+    (first.0.abs() == second.0.abs()).then(|| Pair {
+        is_sum,
+        a: first.1,
+        b: second.1,
+        is_difference: first.0 != second.0,
+    })
+}
+
+/// Replaces `pair` in its users by one value. A user that is nothing but the pair stays as it is.
+fn extract(pair: Pair, users: &[ValueId], values: &mut Values) {
+    let one = BigRational::one();
+    let (sign, shared) = if pair.is_sum {
+        let ratio = if pair.is_difference {
+            -one.clone()
+        } else {
+            one.clone()
+        };
+        values.signed_sum(vec![(one, pair.a), (ratio, pair.b)])
+    } else {
+        let product = values.fraction(one.clone(), vec![pair.a, pair.b], Vec::new());
+        (one, product)
+    };
+    for user in users {
+        if *user == shared {
+            continue;
+        }
+        match &mut values.list[user.index()].op {
+            Op::Sum(terms) => {
+                let at = position(terms, |t| t.1 == pair.a);
+                let coefficient = terms[at].0.clone() * &sign;
+                terms[at] = (coefficient, shared);
+                terms.remove(position(terms, |t| t.1 == pair.b));
+                terms.sort_by_key(|t| t.0.is_negative());
+            }
+            Op::Product { numerator, .. } => {
+                let at = position(numerator, |v| *v == pair.a);
+                numerator[at] = shared;
+                numerator.remove(position(numerator, |v| *v == pair.b));
+            }
+            Op::Constant(_) | Op::Pi | Op::Leaf(_) | Op::Call(..) => {}
+        }
+    }
+}
+
+fn position<T>(list: &[T], is_wanted: impl Fn(&T) -> bool) -> usize {
+    list.iter()
+        .position(is_wanted)
+        .expect("an operand that was just found")
+}
