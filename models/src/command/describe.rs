@@ -1,6 +1,6 @@
 //! A model as data that prints as JSON.
 
-use crate::columns::total;
+use crate::values;
 use residua::Catalogued;
 use residua::description::{Count, Solver, Variable};
 use serde::Serialize;
@@ -102,10 +102,8 @@ pub struct Claim {
 /// Reads it off a compiled model.
 pub fn describe(model: &Catalogued) -> Model {
     let description = model.description;
-    let mut defaults = vec![0.0; total(description.parameters)];
-    model.model.defaults(&mut defaults);
-    let mut start = vec![0.0; total(description.states)];
-    model.model.start(&defaults, &mut start);
+    let defaults = values::defaults(model);
+    let start = values::start(model, &defaults);
     let outputs = |invariant: bool| {
         let kept = description
             .outputs

@@ -16,6 +16,7 @@ mod notation;
 mod show;
 mod simulate;
 mod table;
+mod values;
 
 use clap::{Parser, Subcommand};
 use failure::Failure;

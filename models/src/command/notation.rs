@@ -98,7 +98,7 @@ pub fn value(components: &[f64], (_, cols): (usize, usize)) -> String {
 }
 
 /// Six significant digits at most, without trailing zeros.
-fn number(value: f64) -> String {
+pub fn number(value: f64) -> String {
     let size = value.abs();
     if size != 0.0 && !(1e-4..1e7).contains(&size) {
         return format!("{value:.3e}");
@@ -114,3 +114,6 @@ fn number(value: f64) -> String {
         false => text,
     }
 }
+
+#[cfg(test)]
+mod tests;

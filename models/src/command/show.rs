@@ -9,7 +9,7 @@ use std::io::{self, Write};
 pub fn show(model: &Model, out: &mut impl Write) -> io::Result<()> {
     writeln!(out, "{}", model.name)?;
     for line in model.doc.lines() {
-        writeln!(out, "  {}", line.trim())?;
+        writeln!(out, "{}", format!("  {line}").trim_end())?;
     }
     quantities("parameters", &model.parameters, out)?;
     quantities("states and where they start", &model.states, out)?;

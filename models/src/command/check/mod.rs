@@ -13,7 +13,7 @@ use crate::failure::Failure;
 use crate::list::print_json;
 use clap::Args;
 use order::Range;
-use report::{ClaimReport, ModelReport, SolverReport};
+use report::{ClaimReport, ModelReport, RunReport, SolverReport};
 use residua::Catalogued;
 use residua::erased::AnySolver;
 use residua_models::{CATALOGUE, find};
@@ -120,18 +120,25 @@ fn check(model: &Catalogued, range: &Range) -> ModelReport {
 
 fn check_solver(model: &Catalogued, solver: &dyn AnySolver, range: &Range) -> SolverReport {
     let points = points::random_points(model, solver);
-    let runs = order::runs(model, solver, range);
+    let run = check_run(model, solver, range);
     SolverReport {
         form: solver.solver().form,
         jacobian: jacobian::compare(solver, &points),
-        residual: residual::at_accepted_steps(model, solver, range),
-        consistency: order::consistency(model, solver, range),
-        convergence: runs
-            .as_ref()
-            .map(|runs| order::convergence(runs))
-            .map_err(Clone::clone),
-        invariants: runs
-            .map(|runs| order::invariants(model, &runs))
-            .unwrap_or_default(),
+        error: run.as_ref().err().cloned(),
+        run: run.ok(),
     }
+}
+
+fn check_run(
+    model: &Catalogued,
+    solver: &dyn AnySolver,
+    range: &Range,
+) -> Result<RunReport, String> {
+    let runs = order::runs(model, solver, range)?;
+    Ok(RunReport {
+        residual: residual::at_accepted_steps(model, solver, range, &runs[0])?,
+        consistency: order::consistency(model, solver, range, &runs[0])?,
+        convergence: order::convergence(&runs),
+        invariants: order::invariants(model, &runs),
+    })
 }

@@ -2,7 +2,8 @@
 
 use super::report::{Decay, InvariantReport};
 use super::residual::{largest_difference, solve};
-use crate::columns::{ordered_outputs, size, total};
+use crate::columns::{ordered_outputs, size};
+use crate::values;
 use residua::erased::{AnySolver, Point, Run, Sample};
 use residua::{Catalogued, Settings};
 use std::ops::ControlFlow;
@@ -58,19 +59,19 @@ impl Range {
             )),
         }
     }
+}
 
+impl Start {
     /// The model's own.
-    pub fn start(&self, model: &Catalogued) -> Start {
-        let mut parameters = vec![0.0; total(model.description.parameters)];
-        model.model.defaults(&mut parameters);
-        let mut state = vec![0.0; total(model.description.states)];
-        model.model.start(&parameters, &mut state);
-        Start { parameters, state }
+    pub fn of(model: &Catalogued) -> Self {
+        let parameters = values::defaults(model);
+        let state = values::start(model, &parameters);
+        Self { parameters, state }
     }
 }
 
 /// Every state of a run.
-pub fn trajectory(
+fn trajectory(
     solver: &dyn AnySolver,
     start: &Start,
     h: f64,
@@ -98,7 +99,7 @@ pub fn trajectory(
 
 /// The three runs of a solver from the model's own start.
 pub fn runs(model: &Catalogued, solver: &dyn AnySolver, range: &Range) -> Result<Runs, String> {
-    let start = range.start(model);
+    let start = Start::of(model);
     let run = |halvings: u32| {
         let parts = 1 << halvings;
         trajectory(solver, &start, range.h / parts as f64, range.steps * parts)
@@ -123,13 +124,12 @@ pub fn consistency(
     model: &Catalogued,
     solver: &dyn AnySolver,
     range: &Range,
-) -> Option<Result<Decay, String>> {
-    let flow = model.flow?;
-    let start = range.start(model);
-    let run = match trajectory(solver, &start, range.h, range.steps) {
-        Ok(run) => run,
-        Err(error) => return Some(Err(error)),
+    run: &[Moment],
+) -> Result<Option<Decay>, String> {
+    let Some(flow) = model.flow else {
+        return Ok(None);
     };
+    let start = Start::of(model);
     let mut errors = [0.0; 3];
     let mut floor = 0.0_f64;
     for moment in run.iter().step_by(run.len().div_ceil(N_LOOKS)) {
@@ -141,12 +141,8 @@ pub fn consistency(
                 t: moment.t,
                 state: &moment.state,
             };
-            let Some(solution) = solve(solver, &at) else {
-                return Some(Err(format!(
-                    "a step of {h} from t = {} has no solution",
-                    moment.t
-                )));
-            };
+            let solution = solve(solver, &at)
+                .ok_or_else(|| format!("a step of {h} from t = {} has no solution", moment.t))?;
             let ends = moment.state.iter().zip(&solution.next);
             let middle: Vec<f64> = ends.clone().map(|(a, b)| a + (b - a) / 2.0).collect();
             let slope: Vec<f64> = ends.map(|(a, b)| (b - a) / h).collect();
@@ -156,14 +152,14 @@ pub fn consistency(
             floor = floor.max(ROUNDING * largest_size(&moment.state) / h);
         }
     }
-    Some(Ok(Decay::new(&errors, floor)))
+    Ok(Some(Decay::new(&errors, floor)))
 }
 
 /// Drift of every invariant over the runs with h and h/2.
 pub fn invariants(model: &Catalogued, [coarse, middle, _]: &Runs) -> Vec<InvariantReport> {
     let placed = ordered_outputs(model.description);
     let n_outputs = placed.iter().map(|output| size(output.variable)).sum();
-    let Start { parameters, .. } = Range { h: 1.0, steps: 1 }.start(model);
+    let Start { parameters, .. } = Start::of(model);
     let outputs = |moment: &Moment, h: f64| {
         let mut values = vec![0.0; n_outputs];
         model

@@ -1,6 +1,6 @@
 //! Random parameters, states, unknowns and steps, the same in every run.
 
-use crate::columns::total;
+use crate::values;
 use rand::rngs::StdRng;
 use rand::{RngExt, SeedableRng};
 use residua::Catalogued;
@@ -51,12 +51,9 @@ pub fn random_points(model: &Catalogued, solver: &dyn AnySolver) -> Vec<Sampled>
 }
 
 fn random_point(model: &Catalogued, solver: &dyn AnySolver, rng: &mut StdRng) -> Sampled {
-    let description = model.description;
-    let mut parameters = vec![0.0; total(description.parameters)];
-    model.model.defaults(&mut parameters);
-    change_parameters(description.parameters, &mut parameters, rng);
-    let mut state = vec![0.0; total(description.states)];
-    model.model.start(&parameters, &mut state);
+    let mut parameters = values::defaults(model);
+    change_parameters(model.description.parameters, &mut parameters, rng);
+    let mut state = values::start(model, &parameters);
     change(&mut state, rng);
     let mut sampled = Sampled {
         parameters,

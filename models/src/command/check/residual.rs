@@ -3,7 +3,7 @@
 //! A plain Newton iteration, written here and not the runtime's, solves for the unknowns; its step must be
 //! the runtime's step.
 
-use super::order::{Range, trajectory};
+use super::order::{Moment, Range, Start};
 use super::points::n_unknowns;
 use super::report::ResidualReport;
 use residua::Catalogued;
@@ -26,15 +26,15 @@ pub struct Solution {
     pub residual: f64,
 }
 
-/// Solves single steps from states along a run with the defaults.
+/// Solves every step of a run with the defaults anew.
 pub fn at_accepted_steps(
     model: &Catalogued,
     solver: &dyn AnySolver,
     range: &Range,
+    run: &[Moment],
 ) -> Result<ResidualReport, String> {
     let mut report = ResidualReport::default();
-    let start = range.start(model);
-    let run = trajectory(solver, &start, range.h, range.steps)?;
+    let start = Start::of(model);
     for (taken, pair) in run.windows(2).enumerate() {
         let [before, after] = pair else { continue };
         let at = Point {

@@ -1,6 +1,8 @@
 //! What `check` found, for people.
 
-use super::report::{ClaimReport, Decay, EntryReport, JacobianReport, ModelReport, SolverReport};
+use super::report::{
+    ClaimReport, Decay, EntryReport, JacobianReport, ModelReport, RunReport, SolverReport,
+};
 use std::fmt;
 
 impl fmt::Display for Decay {
@@ -30,31 +32,38 @@ impl fmt::Display for SolverReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "  form {}", self.form)?;
         self.jacobian.fmt(f)?;
-        match &self.residual {
-            Ok(report) => writeln!(
-                f,
-                "    residual     {}: {:.1} ε at {} accepted steps; an independent solution differs by {:.1e}",
-                mark(report.passed()),
-                report.residual,
-                report.steps,
-                report.step_difference
-            )?,
-            Err(error) => writeln!(f, "    residual     FAILED: {error}")?,
+        if let Some(error) = &self.error {
+            writeln!(f, "    run          FAILED: {error}")?;
         }
-        match &self.consistency {
-            Some(Ok(decay)) => writeln!(
+        self.run.iter().try_for_each(|run| run.fmt(f))
+    }
+}
+
+impl fmt::Display for RunReport {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            residual,
+            consistency,
+            convergence,
+            invariants,
+        } = self;
+        writeln!(
+            f,
+            "    residual     {}: {:.1} ε at {} accepted steps, {:.1e} from an independent solution",
+            mark(residual.passed()),
+            residual.residual,
+            residual.steps,
+            residual.step_difference
+        )?;
+        if let Some(decay) = consistency {
+            writeln!(
                 f,
-                "    consistency  {}: one step approaches the flow with {decay}",
+                "    consistency  {}: Δx/h − flow: {decay}",
                 mark(decay.vanishes())
-            )?,
-            Some(Err(error)) => writeln!(f, "    consistency  FAILED: {error}")?,
-            None => {}
+            )?;
         }
-        match &self.convergence {
-            Ok(decay) => writeln!(f, "    convergence  {decay}")?,
-            Err(error) => writeln!(f, "    convergence  FAILED: {error}")?,
-        }
-        for invariant in &self.invariants {
+        writeln!(f, "    convergence  {convergence}")?;
+        for invariant in invariants {
             writeln!(
                 f,
                 "    drift        {}: {}",

@@ -1,7 +1,7 @@
 //! How far the invariants of a run move from where they start.
 
 use crate::columns::{Placed, size};
-use crate::notation::{components, unit};
+use crate::notation::{components, number, unit};
 use std::fmt;
 
 /// The drift of every invariant component.
@@ -68,10 +68,10 @@ impl fmt::Display for Drift {
             } else {
                 format!(" {unit}")
             };
-            let start = start.unwrap_or_default();
+            let start = number(start.unwrap_or_default());
             writeln!(
                 f,
-                "{name}: {start:.6}{unit}, drift {last:.1e} at the end, {largest:.1e} at most"
+                "{name}: {start}{unit}, drift {last:.1e} at the end, {largest:.1e} at most",
             )?;
         }
         Ok(())

@@ -67,7 +67,7 @@ pub struct Simulate {
     #[arg(
         long,
         value_name = "EPS",
-        default_value_t = 1e-12,
+        default_value = "1e-12",
         allow_negative_numbers = true
     )]
     tolerance: f64,

@@ -2,9 +2,9 @@
 
 use super::Simulate;
 use crate::assignment::{Target, assign};
-use crate::columns::total;
 use crate::expression::Symbol;
 use crate::failure::Failure;
+use crate::values;
 use residua::Catalogued;
 use residua::description::Variable;
 use residua::erased::{AnyFlow, AnySolver};
@@ -121,8 +121,7 @@ fn solver(form: Option<&str>, model: &Catalogued) -> Result<&'static dyn AnySolv
 /// Parameters and start values: those of the file, overwritten by `--set` and `--start`.
 fn values(options: &Simulate, model: &Catalogued) -> Result<(Vec<f64>, Vec<f64>), Failure> {
     let description = model.description;
-    let mut parameters = vec![0.0; total(description.parameters)];
-    model.model.defaults(&mut parameters);
+    let mut parameters = values::defaults(model);
     let defaults = symbols(description.parameters, &parameters);
     let target = Target {
         kind: "parameter",
@@ -131,8 +130,7 @@ fn values(options: &Simulate, model: &Catalogued) -> Result<(Vec<f64>, Vec<f64>)
     };
     assign(&options.set, target, &defaults)?;
 
-    let mut start = vec![0.0; total(description.states)];
-    model.model.start(&parameters, &mut start);
+    let mut start = values::start(model, &parameters);
     let set = symbols(description.parameters, &parameters);
     let target = Target {
         kind: "state",
@@ -163,3 +161,6 @@ fn symbols<'a>(variables: &'a [Variable], values: &[f64]) -> Vec<Symbol<'a>> {
     };
     variables.iter().map(symbol).collect()
 }
+
+#[cfg(test)]
+mod tests;

@@ -165,3 +165,6 @@ fn from_start(curve: &mut Curve) {
         point.1 -= start;
     }
 }
+
+#[cfg(test)]
+mod tests;
