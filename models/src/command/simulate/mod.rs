@@ -211,7 +211,7 @@ fn create(path: &Path) -> Result<File, Failure> {
 /// `10000 steps of 0.01 to t = 100 in 12 ms, 3.02 iterations per step`
 fn pace(plan: &Plan, step: f64, statistics: &Statistics, elapsed: Duration) -> String {
     let steps = plan.steps;
-    let end = steps as f64 * step;
+    let end = notation::number(steps as f64 * step);
     let iterations = iterations(statistics).map_or(String::new(), |text| format!(", {text}"));
     format!("{steps} steps of {step} to t = {end} in {elapsed:.1?}{iterations}")
 }

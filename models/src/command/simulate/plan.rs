@@ -4,6 +4,7 @@ use super::Simulate;
 use crate::assignment::{Target, assign};
 use crate::expression::Symbol;
 use crate::failure::Failure;
+use crate::notation::number;
 use crate::values;
 use residua::Catalogued;
 use residua::description::Variable;
@@ -81,7 +82,7 @@ fn steps(step: f64, until: f64) -> Result<(u64, Option<String>), Failure> {
     }
     let steps = (ratio + END_TOLERANCE).floor();
     let whole = (ratio - steps).abs() <= END_TOLERANCE * ratio.max(1.0);
-    let end = steps * step;
+    let end = number(steps * step);
     let note = format!("{until} is no multiple of the step {step}: the run ends at t = {end}");
     Ok((steps as u64, (!whole).then_some(note)))
 }
