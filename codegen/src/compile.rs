@@ -5,16 +5,36 @@ use crate::check::check;
 use crate::claims::claims;
 use crate::diagnostic::Errors;
 use crate::differentiate::differentiate;
+use crate::emit::emit;
+use crate::emit::errors;
+use crate::emit::stub;
 use crate::explicit::explicit;
 use crate::finding::Finding;
 use crate::lower::lower_continuous;
 use crate::lower::lower_discrete;
 use crate::model::Model;
 use crate::parse::parse;
+use crate::stage::program;
 use crate::structure::structure;
 use crate::system::Equations;
 use crate::system::System;
 use proc_macro2::TokenStream;
+
+/// The Rust items of a model, from the tokens inside `model! { … }`; `name` is the stem of its file.
+/// A model with mistakes becomes compiler errors and items that keep callers quiet.
+pub fn expand(name: &str, tokens: TokenStream) -> TokenStream {
+    match compile(name, tokens) {
+        Ok(compiled) => {
+            let program = program(&compiled.equations, &compiled.systems);
+            emit(&compiled.model, &program, &compiled.findings)
+        }
+        Err(mistakes) => {
+            let mut tokens = errors(mistakes);
+            tokens.extend(stub(name));
+            tokens
+        }
+    }
+}
 
 /// Everything the generator knows about a model before it emits code.
 #[derive(Clone, Debug)]
@@ -41,7 +61,9 @@ pub fn compile(name: &str, tokens: TokenStream) -> Result<Compiled, Errors> {
     for &form in &model.forms {
         let (system, found) = discrete(&model, form)?;
         systems.push(system);
-        findings = found;
+        if findings.is_empty() {
+            findings = found;
+        }
     }
     Ok(Compiled {
         model,

@@ -22,6 +22,7 @@ pub mod compile;
 pub mod dag;
 pub mod diagnostic;
 pub mod differentiate;
+pub mod emit;
 pub mod explicit;
 pub mod finding;
 pub mod function;
@@ -37,3 +38,7 @@ pub mod stage;
 pub mod structure;
 pub mod system;
 pub mod unit;
+
+pub use compile::Compiled;
+pub use compile::compile;
+pub use compile::expand;

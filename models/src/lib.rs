@@ -1,1 +1,78 @@
-//! The catalogue of models.
+//! The catalogue: every model file in `models/dsl/`, compiled.
+//!
+//! The build script lists the folder, so a new file appears here, in the command and in the generic
+//! tests by itself. Each file is a module of the same name; [`CATALOGUE`] holds them all.
+//!
+//! ```
+//! let pendulum = residua_models::find("planar_reduced").unwrap();
+//! assert_eq!(pendulum.catalogued.description.states.len(), 2);
+//! ```
+
+// Model files spell names as papers do: ρ beside p, ν beside v, and ℓ where l reads as 1.
+#![allow(
+    confusable_idents,
+    mixed_script_confusables,
+    uncommon_codepoints,
+    reason = "model files use Greek letters beside Latin ones on purpose"
+)]
+
+use ::residua::Catalogued;
+use ::std::fmt;
+
+include!(concat!(env!("OUT_DIR"), "/catalogue.rs"));
+
+/// A model file and what became of it.
+#[derive(Clone, Copy)]
+pub struct Entry {
+    /// The compiled model.
+    pub catalogued: &'static Catalogued,
+    /// The text of its file.
+    pub source: &'static str,
+}
+
+impl Entry {
+    /// The stem of its file.
+    pub fn name(&self) -> &'static str {
+        self.catalogued.description.name
+    }
+}
+
+/// The model called `name`.
+pub fn find(name: &str) -> Result<&'static Entry, UnknownModel> {
+    let known = CATALOGUE.iter().find(|entry| entry.name() == name);
+    known.ok_or_else(|| UnknownModel {
+        name: name.to_owned(),
+        nearest: nearest(name, CATALOGUE.iter().map(Entry::name)),
+    })
+}
+
+/// There is no such model.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnknownModel {
+    /// What was asked for.
+    pub name: String,
+    /// The name that was probably meant.
+    pub nearest: Option<String>,
+}
+
+impl fmt::Display for UnknownModel {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "there is no model `{}`", self.name)
+    }
+}
+
+impl ::std::error::Error for UnknownModel {}
+
+/// Similarity (Jaro–Winkler, 0 to 1) from which a name counts as a misspelling of another. Higher
+/// misses typing errors, lower suggests what nobody meant.
+const SIMILAR: f64 = 0.8;
+
+/// The candidate most like `name`, if one is like it at all.
+pub fn nearest<'n>(name: &str, candidates: impl IntoIterator<Item = &'n str>) -> Option<String> {
+    let scored = candidates
+        .into_iter()
+        .map(|candidate| (::strsim::jaro_winkler(name, candidate), candidate))
+        .filter(|(score, _)| *score >= SIMILAR);
+    let best = scored.max_by(|a, b| a.0.total_cmp(&b.0));
+    best.map(|(_, candidate)| candidate.to_owned())
+}

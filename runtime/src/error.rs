@@ -45,13 +45,13 @@ pub struct Fault {
 }
 
 /// A step that failed. The state is as it was before the step.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub struct StepError {
     /// What went wrong.
     pub fault: Fault,
     /// Steps completed before.
     pub step: u64,
-    /// The time at which the failed step starts, [s] where the model has units.
+    /// The time at which the failed step starts, in s where the model has units.
     pub t: f64,
     /// The corrections of the failed step.
     pub history: History,
@@ -72,7 +72,11 @@ impl fmt::Display for StepError {
             Failure::Singular => "the Jacobian became singular",
             Failure::NotFinite => {
                 self.write_place(f)?;
-                return write!(f, " is {value} after {}", Iterations(iterations));
+                let comma = match self.fault.place {
+                    Place::Equation(_) => ",",
+                    Place::Unknown(_) | Place::State(_) => "",
+                };
+                return write!(f, "{comma} is {value} after {}", Iterations(iterations));
             }
         };
         write!(f, "{outcome} after {}; ", Iterations(iterations))?;
@@ -114,10 +118,17 @@ impl fmt::Display for Iterations {
     }
 }
 
+/// As displayed: `unwrap`, and `main` with `?`, print errors by `Debug`.
+impl fmt::Debug for StepError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
 impl core::error::Error for StepError {}
 
 /// A run that cannot start.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub enum InvalidRun {
     /// The step is 0, infinite or NaN.
     StepSize(f64),
@@ -140,11 +151,16 @@ pub enum InvalidRun {
 
 impl fmt::Display for InvalidRun {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let finite = "expected a finite number";
         match self {
-            Self::StepSize(h) => write!(f, "step h is {h}, expected a finite number other than 0"),
-            Self::StartTime(t) => write!(f, "start time is {t}, expected a finite number"),
-            Self::Parameter(component, value) => write!(f, "parameter {component} is {value}"),
-            Self::StartValue(component, value) => write!(f, "start value {component} is {value}"),
+            Self::StepSize(h) => write!(f, "step h is {h}, {finite} other than 0"),
+            Self::StartTime(t) => write!(f, "start time is {t}, {finite}"),
+            Self::Parameter(component, value) => {
+                write!(f, "parameter {component} is {value}, {finite}")
+            }
+            Self::StartValue(component, value) => {
+                write!(f, "start value {component} is {value}, {finite}")
+            }
             Self::Length {
                 what,
                 expected,
@@ -154,10 +170,16 @@ impl fmt::Display for InvalidRun {
     }
 }
 
+impl fmt::Debug for InvalidRun {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
 impl core::error::Error for InvalidRun {}
 
 /// A run that did not reach its end.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub enum RunError {
     /// It could not start.
     Invalid(InvalidRun),
@@ -180,9 +202,15 @@ impl From<StepError> for RunError {
 impl fmt::Display for RunError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Invalid(error) => error.fmt(f),
-            Self::Step(error) => error.fmt(f),
+            Self::Invalid(error) => fmt::Display::fmt(error, f),
+            Self::Step(error) => fmt::Display::fmt(error, f),
         }
+    }
+}
+
+impl fmt::Debug for RunError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
     }
 }
 

@@ -13,6 +13,7 @@ use crate::report::History;
 use crate::report::Report;
 use crate::report::Statistics;
 use crate::scalar::Real;
+use crate::scalar::first_not_finite;
 
 /// The flat state of a model, `[T; n]`.
 pub type FlatState<M, T> = <<M as Model<T>>::State as Record<T>>::Array;
@@ -50,7 +51,7 @@ pub struct Integration<M: Method<T>, T: Real> {
 }
 
 impl<M: Method<T>, T: Real> Integration<M, T> {
-    /// A run from `start` at t = 0 with the step `h` ([s] where the model has units). A negative `h` runs
+    /// A run from `start` at t = 0 with the step `h` (in s where the model has units). A negative `h` runs
     /// backwards in time.
     ///
     /// Errors: `h` is 0, or `h`, a parameter or a start value is infinite or NaN.
@@ -166,11 +167,3 @@ impl<M: Method<T>, T: Real> Integration<M, T> {
         }
     }
 }
-
-fn first_not_finite<T: Real>(values: &[T]) -> Option<(usize, f64)> {
-    let position = values.iter().position(|value| !value.is_finite())?;
-    Some((position, values[position].to_f64()))
-}
-
-#[cfg(test)]
-mod tests;

@@ -1,4 +1,52 @@
 //! Newton solvers for discrete equations of motion, generated from model files.
+//!
+//! A model file holds the equations as a paper prints them:
+//!
+//! ```text
+//! model! {
+//!     /// Pendulum by the implicit midpoint rule.
+//!     param c: 1/s^2 = 9.81;
+//!     state θ: rad;
+//!     state ω: 1/s;
+//!     residual {
+//!         der(θ) - ω[k+1/2] = 0;
+//!         der(ω) + c*sin(θ[k+1/2]) = 0;
+//!     }
+//!     solve for next;
+//!     start { θ = 1; ω = 0.5; }
+//! }
+//! ```
+//!
+//! From it `model!` (feature `macros`) writes a module with `Parameters`, `State` and `Outputs`, with the
+//! [`Model`] and its solvers, such as `Next`, each a [`System`]. This crate steps them:
+//!
+//! ```
+//! # mod pendulum { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/src/specimens/pendulum.rs")); }
+//! use pendulum::{Model, Next, Parameters};
+//! use residua::{Model as _, Stepper};
+//!
+//! let parameters = Parameters { c: 4.0, ..Parameters::default() };
+//! let start = Model::start(&parameters);
+//! let mut stepper = Stepper::<Next>::new(parameters, start, 0.01)?;
+//! for _ in 0..100 {
+//!     stepper.step()?;
+//! }
+//! assert_eq!(stepper.t(), 1.0);
+//! assert!((stepper.outputs().energy - (0.125 - 4.0 * 1.0_f64.cos())).abs() < 1e-4);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! - [`Stepper`] solves the discrete equations by Newton's method, [`RungeKutta4`] integrates the continuous
+//!   ones; both are an [`Integration`]. Time is t₀ + k h, never a sum of steps.
+//! - A step allocates nothing, and neither does a failed one: the state stays as it was, and [`StepError`]
+//!   says which equation, when, and by how much.
+//! - Everything works on any [`Scalar`], Newton's method on any [`Real`]: `f64` and `f32`.
+//! - [`Catalogued`] is the door for programs that pick models at run time.
+//!
+//! Features: `std` takes `sin` and its kin from the standard library, without it they come from `libm`, and
+//! nothing here needs an operating system; `macros` re-exports `model!`; `dual` adds derivatives by dual
+//! numbers, to check Jacobians with, and needs `std`.
+
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -47,6 +95,8 @@ pub use report::History;
 pub use report::Report;
 pub use report::Statistics;
 pub use report::Success;
+#[cfg(feature = "macros")]
+pub use residua_macros::*;
 pub use runge_kutta::Explicit;
 pub use runge_kutta::RungeKutta4;
 pub use scalar::Real;

@@ -14,6 +14,7 @@ use crate::report::Report;
 use crate::report::Statistics;
 use crate::report::Success;
 use crate::scalar::Real;
+use crate::scalar::first_not_finite;
 use crate::settings::ROUNDING;
 use crate::settings::Settings;
 
@@ -84,9 +85,8 @@ impl<S: Solvable<T>, T: Real> Newton<S, T> {
             statistics.jacobians += 1;
             require_finite(&self.r)?;
 
-            let correction = self.j.solve(&self.r).ok_or(Failure::Singular)?;
             statistics.factorizations += 1;
-
+            let correction = self.j.solve(&self.r).ok_or(Failure::Singular)?;
             subtract(&mut self.x, &correction);
             statistics.iterations += 1;
             require_finite(&self.x)?;
@@ -102,9 +102,9 @@ impl<S: Solvable<T>, T: Real> Newton<S, T> {
                 return Ok(self.report(Success::AtFloor, progress));
             } else {
                 growths += 1;
-            }
-            if growths == self.settings.max_growths {
-                return Err(Failure::Diverged);
+                if growths >= self.settings.max_growths {
+                    return Err(Failure::Diverged);
+                }
             }
             self.previous = correction;
         }
@@ -122,26 +122,18 @@ impl<S: Solvable<T>, T: Real> Newton<S, T> {
     /// Blames the first component that is not finite, or else the largest residual.
     fn fault(&self, failure: Failure) -> Fault {
         let (r, x) = (self.r.as_ref(), self.x.as_ref());
-        let not_finite = |values: &[T]| values.iter().position(|value| !value.is_finite());
-        let larger = |worst: usize, i: usize| {
-            if r[i].abs() > r[worst].abs() {
-                i
-            } else {
-                worst
-            }
-        };
-        let (place, value) = if let Some(row) = not_finite(r) {
-            (Place::Equation(row), r[row])
-        } else if let Some(i) = not_finite(x) {
-            (Place::Unknown(i), x[i])
+        let (place, value) = if let Some((row, value)) = first_not_finite(r) {
+            (Place::Equation(row), value)
+        } else if let Some((i, value)) = first_not_finite(x) {
+            (Place::Unknown(i), value)
         } else {
-            let row = (0..r.len()).fold(0, larger);
-            (Place::Equation(row), r[row])
+            let row = largest_row(r);
+            (Place::Equation(row), r[row].to_f64())
         };
         Fault {
             failure,
             place,
-            value: value.to_f64(),
+            value,
         }
     }
 
@@ -159,7 +151,8 @@ impl<S: Solvable<T>, T: Real> Newton<S, T> {
         for (unknowns, scale) in self.blocks(known) {
             let length = largest(&correction.as_ref()[unknowns.clone()]);
             let before = largest(&self.previous.as_ref()[unknowns]);
-            if length > self.settings.tolerance * scale {
+            let within = length <= self.settings.tolerance * scale;
+            if !within {
                 progress.converged = false;
                 progress.small &= length <= floor * scale;
                 progress.shrinking &= length < before;
@@ -225,6 +218,17 @@ fn largest<T: Real>(values: &[T]) -> T {
     })
 }
 
+/// The position of the largest magnitude among finite numbers.
+fn largest_row<T: Real>(r: &[T]) -> usize {
+    let mut largest = 0;
+    for (row, value) in r.iter().enumerate() {
+        if value.abs() > r[largest].abs() {
+            largest = row;
+        }
+    }
+    largest
+}
+
 fn subtract<T: Real>(x: &mut impl AsMut<[T]>, correction: &impl AsRef<[T]>) {
     for (x, correction) in x.as_mut().iter_mut().zip(correction.as_ref()) {
         *x = *x - *correction;
@@ -233,10 +237,9 @@ fn subtract<T: Real>(x: &mut impl AsMut<[T]>, correction: &impl AsRef<[T]>) {
 
 /// Keeps NaN and infinity out of every comparison that follows.
 fn require_finite<T: Real>(values: &impl AsRef<[T]>) -> Result<(), Failure> {
-    if values.as_ref().iter().all(|value| value.is_finite()) {
-        Ok(())
-    } else {
-        Err(Failure::NotFinite)
+    match first_not_finite(values.as_ref()) {
+        None => Ok(()),
+        Some(_) => Err(Failure::NotFinite),
     }
 }
 

@@ -1,8 +1,5 @@
 //! Systems written by hand, for tests.
 
-#[allow(
-    missing_docs,
-    reason = "it stands for a generated module, and its docs are at the top"
-)]
+#[allow(missing_docs, reason = "it stands for a generated module")]
 pub(crate) mod pendulum;
 pub(crate) mod root;

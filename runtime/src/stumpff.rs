@@ -6,24 +6,30 @@
 
 use crate::scalar::Scalar;
 
-/// cₙ(s) for any real s, near 0 as accurate as anywhere else.
+/// cₙ(s) for any finite s; NaN for NaN and ∞, and nothing finite for −∞.
 ///
-/// Below |s| = (n + 1)(n + 2)/2 the series, whose terms at least halve there; above it the recurrence
-/// c_{n+2} = (1/n! − cₙ)/s, which loses nothing there because cₙ has left 1/n! far enough.
-/// NaN gives NaN, and so does an infinite s.
+/// |error| ≤ 2 ε (|cₙ| + |s cₙ'|) for n ≤ 8, twice what rounding s and the result may do; 8 ε for n ≤ 32.
+/// That is two or three units in the last place, except near a zero of cₙ and for large |s|, where the
+/// phase √s is what counts. Measured against exact arithmetic for −7000 ≤ s ≤ 10⁴, from the least denormal on.
+///
+/// Near 0 this is the series, beyond it the recurrence c_{n+2} = (1/n! − cₙ)/s, which cancels only as long
+/// as cₙ is near 1/n!. They meet at s = (n + 1)(n + 2)/2, below which the alternating terms at least halve,
+/// and at s = −2 (n + 1)(n + 2): there the terms are all positive, and the recurrence is slower to get away
+/// from 1/n!.
 pub(crate) fn stumpff<T: Scalar + PartialOrd>(n: u32, s: T, epsilon: f64) -> T {
-    let limit = f64::from(n + 1) * f64::from(n + 2) / 2.0;
-    if s.abs() <= T::constant(limit) {
+    let first = f64::from(n + 1) * f64::from(n + 2);
+    if T::constant(-2.0 * first) <= s && s <= T::constant(0.5 * first) {
         series(n, s, epsilon)
     } else {
         recurrence(n, s, epsilon)
     }
 }
 
-/// cₙ(s) = 1/n! (1 − s/((n+1)(n+2)) (1 − s/((n+3)(n+4)) (1 − …))) for |s| ≤ (n + 1)(n + 2)/2.
+/// cₙ(s) = 1/n! (1 − s/((n+1)(n+2)) (1 − s/((n+3)(n+4)) (1 − …))).
 ///
-/// The sum ends one term after the first one below ε/4 of the leading term. The rest is smaller than that
-/// term, and so is the rest of the derivative that a dual number carries.
+/// The sum ends one term after the first one below ε/4 of the leading term, where terms shrink so fast that
+/// the rest is smaller than that one, also in the derivative that a dual number carries. For `f64` that
+/// takes up to 17 terms for n = 1 and 27 for n = 8, with `f32` 12 and 19; 7 for |s| ≤ 10⁻², with `f32` 5.
 fn series<T: Scalar + PartialOrd>(n: u32, s: T, epsilon: f64) -> T {
     let ratio = |j: u32| s / T::constant(f64::from(n + 2 * j + 1) * f64::from(n + 2 * j + 2));
     let negligible = T::constant(epsilon / 4.0);
@@ -36,13 +42,11 @@ fn series<T: Scalar + PartialOrd>(n: u32, s: T, epsilon: f64) -> T {
     }
 
     let one = T::constant(1.0);
-    let sum = (0..terms + 1)
-        .rev()
-        .fold(one, |sum, j| one - ratio(j) * sum);
+    let sum = (0..=terms).rev().fold(one, |sum, j| one - ratio(j) * sum);
     sum / T::constant(factorial(n))
 }
 
-/// cₙ(s) for |s| > (n + 1)(n + 2)/2, upwards from c₁ or c₂; c₀ is the cosine itself.
+/// cₙ(s) away from 0, upwards from c₁ or c₂; c₀ is the cosine itself.
 fn recurrence<T: Scalar + PartialOrd>(n: u32, s: T, epsilon: f64) -> T {
     let first = if n == 0 { 0 } else { 2 - n % 2 };
     let mut c = match first {

@@ -25,7 +25,10 @@ const LONGEST: usize = 500;
 
 fn sources(folder: &Path) -> Vec<std::path::PathBuf> {
     let mut files = Vec::new();
-    for entry in fs::read_dir(folder).expect("a folder of the workspace").flatten() {
+    for entry in fs::read_dir(folder)
+        .expect("a folder of the workspace")
+        .flatten()
+    {
         let path = entry.path();
         if path.is_dir() {
             files.extend(sources(&path));
@@ -42,14 +45,23 @@ fn no_stage_imports_another_stage() {
     let mut offences = Vec::new();
     for path in sources(&root) {
         let relative = path.strip_prefix(&root).expect("below the root").to_owned();
-        let first = relative.iter().next().expect("a name").to_string_lossy().into_owned();
+        let first = relative
+            .iter()
+            .next()
+            .expect("a name")
+            .to_string_lossy()
+            .into_owned();
         let own = first.trim_end_matches(".rs");
         let is_test = relative.ends_with("tests.rs");
         if first == DRIVER || first == "lib.rs" || is_test {
             continue;
         }
         for line in fs::read_to_string(&path).expect("a source file").lines() {
-            let Some(used) = line.trim().split("crate::").nth(1).filter(|_| !line.trim().starts_with("//"))
+            let Some(used) = line
+                .trim()
+                .split("crate::")
+                .nth(1)
+                .filter(|_| !line.trim().starts_with("//"))
             else {
                 continue;
             };
@@ -70,7 +82,10 @@ fn no_source_file_outgrows_its_reader() {
             if path.iter().any(|part| part == "target" || part == "golden") {
                 continue;
             }
-            let lines = fs::read_to_string(&path).expect("a source file").lines().count();
+            let lines = fs::read_to_string(&path)
+                .expect("a source file")
+                .lines()
+                .count();
             assert!(lines <= LONGEST, "{} has {lines} lines", path.display());
         }
     }

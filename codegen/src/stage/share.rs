@@ -7,6 +7,8 @@ use crate::schedule::ValueId;
 use num_rational::BigRational;
 use num_traits::One;
 use num_traits::Signed;
+use std::cmp::Reverse;
+use std::collections::BTreeMap;
 use std::collections::HashMap;
 use std::collections::HashSet;
 
@@ -49,7 +51,7 @@ pub(super) fn reciprocals(values: &mut Values) {
 }
 
 /// a + c·b or a·b inside larger values of the same kind; a < b, c = ±1.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct Pair {
     is_sum: bool,
     a: ValueId,
@@ -64,7 +66,7 @@ pub(super) fn pairs(values: &mut Values) {
     loop {
         let found = occurrences(values);
         let mut frequent: Vec<_> = found.into_iter().filter(|f| f.1.len() > 1).collect();
-        frequent.sort_by(|x, y| y.1.len().cmp(&x.1.len()).then(x.0.cmp(&y.0)));
+        frequent.sort_by_key(|f| Reverse(f.1.len()));
         let mut has_changed = HashSet::new();
         for (pair, users) in frequent {
             let users: Vec<_> = users
@@ -83,8 +85,8 @@ pub(super) fn pairs(values: &mut Values) {
 }
 
 /// Which values contain each pair, in value order.
-fn occurrences(values: &Values) -> HashMap<Pair, Vec<ValueId>> {
-    let mut found: HashMap<Pair, Vec<ValueId>> = HashMap::new();
+fn occurrences(values: &Values) -> BTreeMap<Pair, Vec<ValueId>> {
+    let mut found: BTreeMap<Pair, Vec<ValueId>> = BTreeMap::new();
     for (user, value) in values.iter() {
         let (is_sum, operands) = operands(&value.op);
         if value.rate == Rate::Scene || operands.len() > OPERANDS {

@@ -74,7 +74,11 @@ fn filled<R: Record<T>, T: Scalar>(shape: &R, values: &[f64]) -> R {
 /// Overwrites all components of `array`.
 pub(super) fn fill<T: Scalar>(array: &mut impl AsMut<[T]>, values: &[f64]) {
     let components = array.as_mut();
-    assert_eq!(components.len(), values.len(), "values of a model");
+    let (expected, found) = (components.len(), values.len());
+    assert!(
+        expected == found,
+        "expected {expected} values, found {found}"
+    );
     for (component, value) in components.iter_mut().zip(values) {
         *component = T::constant(*value);
     }

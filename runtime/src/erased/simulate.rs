@@ -19,7 +19,7 @@ pub struct Run<'a> {
     pub parameters: &'a [f64],
     /// The flat state at `t0`.
     pub start: &'a [f64],
-    /// The step, [s] where the model has units; negative runs backwards in time.
+    /// The step, in s where the model has units; negative runs backwards in time.
     pub h: f64,
     /// The time of the start state.
     pub t0: f64,

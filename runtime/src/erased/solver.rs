@@ -25,7 +25,7 @@ use crate::stepper::Stepper;
 pub struct Point<'a> {
     /// In file order.
     pub parameters: &'a [f64],
-    /// The step, [s] where the model has units.
+    /// The step, in s where the model has units.
     pub h: f64,
     /// The time at which the step starts.
     pub t: f64,

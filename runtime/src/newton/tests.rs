@@ -66,6 +66,17 @@ fn a_tolerance_of_zero_ends_at_the_floor() {
     assert!(report.iterations <= 8, "{report:?}");
 }
 
+#[test]
+fn a_tolerance_that_is_nan_ends_at_the_floor_too() {
+    let settings = Settings {
+        tolerance: f64::NAN,
+        ..DEFAULT
+    };
+    let (root, outcome) = solve!(Cubic, [1.0], settings);
+    assert_eq!(outcome.unwrap().success, Success::AtFloor);
+    assert!((root[0] - f64::cbrt(2.0)).abs() <= f64::EPSILON);
+}
+
 /// x³ = 2
 struct Cubic;
 impl Problem<1> for Cubic {

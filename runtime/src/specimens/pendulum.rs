@@ -1,7 +1,7 @@
-//! A pendulum by the implicit midpoint rule, written by hand as the generator writes its models.
-//!
-//! θ' = θ + h (ω + ω')/2, ω' = ω − h c sin((θ + θ')/2), with the next state as unknowns. To test for
-//! invariance, angle and rate are in units that the parameters choose: θ = u x₀ and ω = v x₁.
+// A pendulum by the implicit midpoint rule, written by hand as the generator writes its models:
+// θ' = θ + h (ω + ω')/2, ω' = ω − h c sin((θ + θ')/2), with the next state as unknowns. To test for
+// invariance, angle and rate are in units that the parameters choose: θ = u x₀ and ω = v x₁.
+// Crate-level paths, so that integration tests and doc tests can include it.
 
 use residua::Catalogued;
 use residua::Flow;

@@ -1,1 +1,128 @@
+//! The implicit stepper on the pendulum.
 
+use crate::Real;
+use crate::Settings;
+use crate::Stepper;
+use crate::Success;
+use crate::specimens::pendulum::Next;
+use crate::specimens::pendulum::Parameters;
+use crate::specimens::pendulum::State;
+
+const H: f64 = 0.01;
+
+fn pendulum<T: Real + nalgebra::RealField>(unit: [f64; 2], h: f64) -> Stepper<Next, T> {
+    let parameters = Parameters {
+        unit: unit.map(T::constant),
+        ..Parameters::default()
+    };
+    let start = <crate::specimens::pendulum::Model as crate::Model<T>>::start(&parameters);
+    Stepper::new(parameters, start, T::constant(h)).unwrap()
+}
+
+fn advance(stepper: &mut Stepper<Next>, steps: u32) {
+    for _ in 0..steps {
+        stepper.step().unwrap();
+    }
+}
+
+#[test]
+fn a_pendulum_step_takes_three_iterations() {
+    let mut stepper = pendulum::<f64>([1.0, 1.0], H);
+    for _ in 0..100 {
+        let report = stepper.step().unwrap();
+        assert_eq!(report.success, Success::Converged);
+        assert_eq!(report.iterations, 3);
+    }
+    let statistics = stepper.statistics();
+    assert_eq!(statistics.steps, 100);
+    assert_eq!(statistics.iterations, 300);
+    assert_eq!(statistics.residuals, 300);
+    assert_eq!(statistics.jacobians, 300);
+    assert_eq!(statistics.factorizations, 300);
+    assert_eq!(statistics.flows, 0);
+}
+
+/// Iterations of each of the first 200 steps.
+fn iterations(unit: [f64; 2]) -> std::vec::Vec<usize> {
+    let mut stepper = pendulum::<f64>(unit, 0.1);
+    let steps = 0..200;
+    steps.map(|_| stepper.step().unwrap().iterations).collect()
+}
+
+#[test]
+fn units_of_the_states_do_not_change_the_iterations() {
+    let reference = iterations([1.0, 1.0]);
+    for unit in [[1e8, 1e-8], [1e-8, 1e8], [1e8, 1e8], [1e-8, 1e-8]] {
+        assert_eq!(iterations(unit), reference, "{unit:?}");
+    }
+}
+
+#[test]
+fn the_midpoint_rule_is_of_second_order() {
+    let end = |h: f64, steps: u32| {
+        let mut stepper = pendulum::<f64>([1.0, 1.0], h);
+        advance(&mut stepper, steps);
+        stepper.state().theta
+    };
+    let (coarse, middle, fine) = (end(0.04, 50), end(0.02, 100), end(0.01, 200));
+    let order = ((coarse - middle) / (middle - fine)).log2();
+    assert!((order - 2.0).abs() < 0.05, "{order}");
+}
+
+#[test]
+fn a_negative_step_runs_backwards() {
+    let mut there = pendulum::<f64>([1.0, 1.0], 0.1);
+    advance(&mut there, 100);
+    let mut back = Stepper::<Next>::new(Parameters::default(), there.state(), -0.1)
+        .unwrap()
+        .at(there.t())
+        .unwrap();
+    advance(&mut back, 100);
+    assert_eq!(back.t(), 0.0);
+    // The rule is symmetric; what is left is rounding, which the motion amplifies some tenfold.
+    assert!((back.state().theta - 1.0).abs() < 1e-12);
+    assert!((back.state().omega - 0.5).abs() < 1e-12);
+}
+
+#[test]
+fn time_is_a_product_and_not_a_sum() {
+    let mut stepper = pendulum::<f64>([1.0, 1.0], 0.1).at(2.0).unwrap();
+    advance(&mut stepper, 1000);
+    assert_eq!(stepper.t(), 2.0 + 1000.0 * 0.1);
+    assert_eq!(stepper.steps(), 1000);
+    assert_eq!(stepper.h(), 0.1);
+}
+
+#[test]
+fn a_pendulum_at_rest_stays_there() {
+    for (theta, omega) in [(0.0, 0.0), (std::f64::consts::PI, 0.0)] {
+        let start = State { theta, omega };
+        let mut stepper = Stepper::<Next>::new(Parameters::default(), start, H).unwrap();
+        advance(&mut stepper, 100);
+        assert!((stepper.state().theta - theta).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn a_tolerance_of_zero_takes_the_step_to_the_floor() {
+    let settings = Settings {
+        tolerance: 0.0,
+        ..Settings::default()
+    };
+    let mut stepper = pendulum::<f64>([1.0, 1.0], H).with_settings(settings);
+    for _ in 0..1000 {
+        assert!(stepper.step().unwrap().iterations <= 7);
+    }
+}
+
+#[test]
+fn single_precision_runs_as_well() {
+    let mut single = pendulum::<f32>([1.0, 1.0], H);
+    let mut double = pendulum::<f64>([1.0, 1.0], H);
+    for _ in 0..100 {
+        assert!(single.step().unwrap().iterations <= 4);
+        double.step().unwrap();
+    }
+    assert!((f64::from(single.state().theta) - double.state().theta).abs() < 1e-5);
+    assert!((f64::from(single.outputs().energy) - double.outputs().energy).abs() < 1e-4);
+}

@@ -1,0 +1,48 @@
+//! What a model with mistakes becomes: one compiler error each, and items that keep callers quiet.
+
+use crate::diagnostic::Diagnostic;
+use crate::diagnostic::Errors;
+use proc_macro2::Delimiter;
+use proc_macro2::Group;
+use proc_macro2::Literal;
+use proc_macro2::TokenStream;
+use proc_macro2::TokenTree;
+use quote::quote;
+use quote::quote_spanned;
+
+/// `compile_error!` for each mistake, in file order.
+pub fn errors(errors: Errors) -> TokenStream {
+    errors.into_sorted().iter().map(error).collect()
+}
+
+/// rustc underlines from the span of the path to that of the braces.
+fn error(diagnostic: &Diagnostic) -> TokenStream {
+    let (start, end) = (diagnostic.range.start, diagnostic.range.end);
+    let text = match &diagnostic.help {
+        Some(help) => format!("{}\nhelp: {help}", diagnostic.message),
+        None => diagnostic.message.clone(),
+    };
+    let mut message = Literal::string(&text);
+    message.set_span(end);
+    let mut braces = Group::new(Delimiter::Brace, TokenTree::from(message).into());
+    braces.set_span(end);
+    quote_spanned!(start=> ::core::compile_error! #braces)
+}
+
+/// The items of a model, empty: code that names them gives no errors of its own.
+pub fn stub(name: &str) -> TokenStream {
+    let records = ["Parameters", "State", "Outputs"].map(|record| {
+        let record = super::scope::identifier(record);
+        quote! {
+            #[derive(Clone, Copy, Debug, PartialEq)]
+            pub struct #record<T = f64>(::core::marker::PhantomData<T>);
+        }
+    });
+    quote! {
+        #(#records)*
+        pub struct Model;
+        pub struct Next;
+        pub struct Increment;
+        pub static MODEL: ::residua::Catalogued = ::residua::Catalogued::stub(#name);
+    }
+}

@@ -1,0 +1,46 @@
+//! `Flow`: the continuous equations solved for the rates.
+
+use super::context::Context;
+use crate::model::Model;
+use crate::schedule::Schedule;
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// The `Flow` implementation of `Model`, with its cache.
+pub(super) fn emit(model: &Model, schedule: &Schedule) -> TokenStream {
+    let n = model.n_states();
+    let mut context = Context::new(model, None, schedule);
+    let cache = context
+        .scene
+        .declare("What the flow needs of the parameters.");
+    let scene_type = context.scene.ty();
+    let scene = context.body("scene");
+    let flow = context.body("flow");
+    let built = context.scene.build(scene.roots.clone());
+    let doc = format!(" dx/dt, {n} components: {}.", flow.cost);
+    let parameters = scene.argument("parameters");
+    let [cached, t, state] = ["scene", "t", "state"].map(|name| flow.argument(name));
+    let (scene_tokens, flow_tokens, rates) = (&scene.tokens, &flow.tokens, &flow.roots);
+    quote! {
+        #[allow(non_snake_case, reason = "names as in the model")]
+        #[allow(clippy::many_single_char_names, clippy::suspicious_operation_groupings, reason = "formulas")]
+        mod flow {
+            #cache
+
+            impl<T: ::residua::Scalar> ::residua::Flow<T> for super::Model {
+                type FlowScene = #scene_type;
+
+                fn flow_scene(#parameters: &super::Parameters<T>) -> #scene_type {
+                    #scene_tokens
+                    #built
+                }
+
+                #[doc = #doc]
+                fn flow(#cached: &#scene_type, #t: T, #state: &[T; #n]) -> [T; #n] {
+                    #flow_tokens
+                    [#(#rates),*]
+                }
+            }
+        }
+    }
+}

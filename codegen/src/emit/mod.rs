@@ -1,0 +1,55 @@
+//! From schedules to Rust.
+//!
+//! In come the checked model (names, units, texts), the schedules of its functions and what came of its
+//! claims; out go the items of one module. One file per kind of item.
+
+mod cache;
+mod context;
+mod description;
+mod errors;
+mod expression;
+mod flow;
+mod model;
+mod names;
+mod number;
+mod phrase;
+mod record;
+mod scope;
+mod solver;
+mod statements;
+mod variables;
+
+pub use errors::errors;
+pub use errors::stub;
+
+use crate::finding::Finding;
+use crate::model::Model;
+use crate::schedule::Program;
+use proc_macro2::TokenStream;
+use quote::quote;
+use record::Record;
+
+/// The items of a model: records, traits, description.
+pub fn emit(model: &Model, program: &Program, findings: &[Finding]) -> TokenStream {
+    let records = [
+        Record::parameters(model),
+        Record::state(model),
+        Record::outputs(model),
+    ];
+    let records = records.iter().map(Record::declare);
+    let implementation = model::emit(model, program);
+    let flow = program
+        .flow
+        .as_ref()
+        .map(|schedule| flow::emit(model, schedule));
+    let solvers = program.solvers.iter().enumerate();
+    let solvers = solvers.map(|(i, solver)| solver::emit(model, solver, i));
+    let description = description::emit(model, program, findings);
+    quote! {
+        #(#records)*
+        #implementation
+        #flow
+        #(#solvers)*
+        #description
+    }
+}

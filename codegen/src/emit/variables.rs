@@ -1,0 +1,77 @@
+//! The inputs of emitted functions: components of parameters, states and unknowns under names.
+
+use super::scope::components;
+use crate::ast::Form;
+use crate::dag::Leaf;
+use crate::model::Model;
+use crate::model::Solved;
+
+/// Names of all leaves of one model and form.
+pub(super) struct Variables {
+    parameters: Vec<String>,
+    states: Vec<String>,
+    unknowns: Vec<String>,
+    /// For each unknown the state component it advances and whether it is an increment.
+    pub(super) advanced: Vec<Option<(usize, bool)>>,
+}
+
+impl Variables {
+    /// The inputs of `model`; without a form there are no unknowns.
+    pub(super) fn new(model: &Model, form: Option<Form>) -> Self {
+        let all = |variables: Vec<&crate::model::Variable>| {
+            variables
+                .into_iter()
+                .flat_map(|v| components(&v.name.ascii, v.shape))
+                .collect()
+        };
+        let mut variables = Self {
+            parameters: all(model.parameters.iter().map(|p| &p.variable).collect()),
+            states: all(model.states.iter().map(|s| &s.variable).collect()),
+            unknowns: Vec::new(),
+            advanced: Vec::new(),
+        };
+        for &solved in form.iter().flat_map(|_| &model.solved) {
+            let variable = model.solved_variable(solved);
+            for (i, name) in components(&variable.name.ascii, variable.shape)
+                .into_iter()
+                .enumerate()
+            {
+                let is_increment = form == Some(Form::Increment);
+                let (name, advanced) = match solved {
+                    Solved::Own(_) => (name, None),
+                    Solved::State(_) => {
+                        let name = if is_increment {
+                            format!("Delta_{name}")
+                        } else {
+                            format!("{name}_next")
+                        };
+                        (name, Some((variable.offset + i, is_increment)))
+                    }
+                };
+                variables.unknowns.push(name);
+                variables.advanced.push(advanced);
+            }
+        }
+        variables
+    }
+
+    /// The name of an input.
+    pub(super) fn name(&self, leaf: Leaf) -> &str {
+        match leaf {
+            Leaf::Parameter(i) => &self.parameters[i],
+            Leaf::StepSize => "h",
+            Leaf::Time => "t",
+            Leaf::State(i) => &self.states[i],
+            Leaf::Unknown(i) => &self.unknowns[i],
+        }
+    }
+
+    /// All inputs, in the order in which they take their names.
+    pub(super) fn leaves(&self) -> impl Iterator<Item = Leaf> {
+        [Leaf::StepSize, Leaf::Time]
+            .into_iter()
+            .chain((0..self.parameters.len()).map(Leaf::Parameter))
+            .chain((0..self.states.len()).map(Leaf::State))
+            .chain((0..self.unknowns.len()).map(Leaf::Unknown))
+    }
+}

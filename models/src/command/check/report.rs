@@ -1,0 +1,198 @@
+//! What `check` found, as data that prints as JSON.
+
+use super::jacobian::{CENTRAL_BOUND, DUAL_BOUND};
+use super::residual::{RESIDUAL_BOUND, STEP_BOUND};
+use residua::description::{Claim, Difference};
+use serde::Serialize;
+
+/// A slope below this does not vanish with the step: the lowest order of a useful scheme is 1.
+const LOWEST_ORDER: f64 = 0.5;
+
+/// One model.
+#[derive(Serialize)]
+pub struct ModelReport {
+    /// Its name.
+    pub model: &'static str,
+    /// Every solver is what its file says. Wrong claims are findings and do not count.
+    pub passed: bool,
+    /// One per form.
+    pub solvers: Vec<SolverReport>,
+    /// In file order.
+    pub claims: Vec<ClaimReport>,
+}
+
+/// One solver.
+#[derive(Serialize)]
+pub struct SolverReport {
+    /// `next` or `increment`.
+    pub form: &'static str,
+    /// Against dual numbers and central differences.
+    pub jacobian: JacobianReport,
+    /// On a short run from the model's own start, if it gets through.
+    pub run: Option<RunReport>,
+    /// Why it does not.
+    pub error: Option<String>,
+}
+
+impl SolverReport {
+    /// The solver is what its file says.
+    pub fn passed(&self) -> bool {
+        self.jacobian.passed() && self.run.as_ref().is_some_and(RunReport::passed)
+    }
+}
+
+/// What a short run shows.
+#[derive(Serialize)]
+pub struct RunReport {
+    /// At its steps.
+    pub residual: ResidualReport,
+    /// Of one step with the continuous equations, if there are any.
+    pub consistency: Option<Decay>,
+    /// Of its last state.
+    pub convergence: Decay,
+    /// Over all of it.
+    pub invariants: Vec<InvariantReport>,
+}
+
+impl RunReport {
+    fn passed(&self) -> bool {
+        self.residual.passed() && self.consistency.as_ref().is_none_or(Decay::vanishes)
+    }
+}
+
+/// The generated Jacobian against independent derivatives.
+#[derive(Default, Serialize)]
+pub struct JacobianReport {
+    /// Random points compared.
+    pub points: usize,
+    /// Random points outside the domain of the equations.
+    pub skipped: usize,
+    /// Against dual numbers, in units of ε times the row's absolute sum.
+    pub dual: Worst,
+    /// Against central differences, relative to the row's absolute sum.
+    pub central: Worst,
+}
+
+impl JacobianReport {
+    /// Within the bounds.
+    pub fn passed(&self) -> bool {
+        self.points > 0 && self.dual.value <= DUAL_BOUND && self.central.value <= CENTRAL_BOUND
+    }
+}
+
+/// The largest difference and the entry that has it.
+#[derive(Default, Serialize)]
+pub struct Worst {
+    /// How large.
+    pub value: f64,
+    /// In words.
+    pub entry: Option<String>,
+}
+
+/// The residual at accepted steps.
+#[derive(Default, Serialize)]
+pub struct ResidualReport {
+    /// How many.
+    pub steps: usize,
+    /// Largest, in units of ε times the size of its terms.
+    pub residual: f64,
+    /// Largest difference between the runtime's step and an independent solution, relative.
+    pub step_difference: f64,
+}
+
+impl ResidualReport {
+    /// Within the bounds.
+    pub fn passed(&self) -> bool {
+        self.steps > 0 && self.residual <= RESIDUAL_BOUND && self.step_difference <= STEP_BOUND
+    }
+}
+
+/// Drift of an invariant.
+#[derive(Serialize)]
+pub struct InvariantReport {
+    /// Its name.
+    pub name: &'static str,
+    /// Largest over the run, with h and h/2.
+    pub drift: Decay,
+}
+
+/// Errors for h, h/2, …
+#[derive(Serialize)]
+pub struct Decay {
+    /// Coarsest step first.
+    pub errors: Vec<f64>,
+    /// p of error ~ hᵖ; none if the errors are rounding.
+    pub order: Option<f64>,
+}
+
+impl Decay {
+    /// `floor` is the size of rounding.
+    pub fn new(errors: &[f64], floor: f64) -> Self {
+        let order = match errors {
+            [first, .., last] if *last > floor => {
+                let halvings = (errors.len() - 1) as f64;
+                Some((first / last).log2() / halvings)
+            }
+            _ => None,
+        };
+        Self {
+            errors: errors.to_vec(),
+            order,
+        }
+    }
+
+    /// The errors go to zero with the step.
+    pub fn vanishes(&self) -> bool {
+        self.order.is_none_or(|order| order > LOWEST_ORDER)
+    }
+}
+
+/// A printed Jacobian.
+#[derive(Serialize)]
+pub struct ClaimReport {
+    /// What its author calls it.
+    pub label: &'static str,
+    /// Line in the file.
+    pub line: usize,
+    /// Entries that differ; none if it is right.
+    pub differences: Vec<EntryReport>,
+}
+
+/// An entry of a printed Jacobian that differs from the derivative.
+#[derive(Serialize)]
+pub struct EntryReport {
+    /// Counted from 1.
+    pub row: usize,
+    /// Counted from 1.
+    pub col: usize,
+    /// ∂(equation)/∂(unknown) in words.
+    pub entry: &'static str,
+    /// What is printed.
+    pub printed: &'static str,
+    /// The derivative.
+    pub derived: &'static str,
+    /// Value of what is printed at one generic point.
+    pub printed_value: f64,
+    /// Value of the derivative there.
+    pub derived_value: f64,
+}
+
+impl ClaimReport {
+    /// From what the generator found.
+    pub fn new(claim: &Claim) -> Self {
+        let entry = |difference: &Difference| EntryReport {
+            row: difference.row + 1,
+            col: difference.col + 1,
+            entry: difference.entry,
+            printed: difference.printed,
+            derived: difference.derived,
+            printed_value: difference.values.0,
+            derived_value: difference.values.1,
+        };
+        Self {
+            label: claim.label,
+            line: claim.line,
+            differences: claim.differences.iter().map(entry).collect(),
+        }
+    }
+}

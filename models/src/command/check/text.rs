@@ -1,0 +1,142 @@
+//! What `check` found, for people.
+
+use super::report::{
+    ClaimReport, Decay, EntryReport, JacobianReport, ModelReport, RunReport, SolverReport,
+};
+use std::fmt;
+
+impl fmt::Display for Decay {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let errors: Vec<String> = self
+            .errors
+            .iter()
+            .map(|error| format!("{error:.1e}"))
+            .collect();
+        match self.order {
+            Some(order) => write!(f, "order {order:.2} ({})", errors.join(", ")),
+            None => write!(f, "exact to rounding ({})", errors.join(", ")),
+        }
+    }
+}
+
+impl fmt::Display for ModelReport {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "{}", self.model)?;
+        self.solvers.iter().try_for_each(|solver| solver.fmt(f))?;
+        self.claims.iter().try_for_each(|claim| claim.fmt(f))?;
+        writeln!(f)
+    }
+}
+
+impl fmt::Display for SolverReport {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "  form {}", self.form)?;
+        self.jacobian.fmt(f)?;
+        if let Some(error) = &self.error {
+            writeln!(f, "    run          FAILED: {error}")?;
+        }
+        self.run.iter().try_for_each(|run| run.fmt(f))
+    }
+}
+
+impl fmt::Display for RunReport {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            residual,
+            consistency,
+            convergence,
+            invariants,
+        } = self;
+        writeln!(
+            f,
+            "    residual     {}: {:.1} ε at {} accepted steps, {:.1e} from an independent solution",
+            mark(residual.passed()),
+            residual.residual,
+            residual.steps,
+            residual.step_difference
+        )?;
+        if let Some(decay) = consistency {
+            writeln!(
+                f,
+                "    consistency  {}: Δx/h − flow: {decay}",
+                mark(decay.vanishes())
+            )?;
+        }
+        writeln!(f, "    convergence  {convergence}")?;
+        for invariant in invariants {
+            writeln!(
+                f,
+                "    drift        {}: {}",
+                invariant.name, invariant.drift
+            )?;
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Display for JacobianReport {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            points,
+            skipped,
+            dual,
+            central,
+        } = self;
+        writeln!(
+            f,
+            "    Jacobian     {}: {:.1} ε from dual numbers, {:.1e} from central differences, {points} random points",
+            mark(self.passed()),
+            dual.value,
+            central.value
+        )?;
+        if *skipped > 0 {
+            writeln!(
+                f,
+                "                 {skipped} more points lie outside the domain of the equations"
+            )?;
+        }
+        if let (false, Some(entry)) = (
+            self.passed(),
+            dual.entry.as_ref().or(central.entry.as_ref()),
+        ) {
+            writeln!(f, "                 worst at {entry}")?;
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Display for ClaimReport {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            label,
+            line,
+            differences,
+        } = self;
+        match differences.len() {
+            0 => writeln!(f, "  claim {label} (line {line}): right")?,
+            n => writeln!(
+                f,
+                "  claim {label} (line {line}): WRONG in {n} of its entries"
+            )?,
+        }
+        for difference in differences {
+            let EntryReport {
+                row,
+                col,
+                entry,
+                printed,
+                derived,
+                printed_value,
+                derived_value,
+            } = difference;
+            writeln!(f, "    ({row},{col}) {entry}")?;
+            writeln!(f, "      printed  {printed}  = {printed_value:.6}")?;
+            writeln!(f, "      true     {derived}  = {derived_value:.6}")?;
+        }
+        Ok(())
+    }
+}
+
+fn mark(passed: bool) -> &'static str {
+    if passed { "ok" } else { "FAILED" }
+}

@@ -1,0 +1,187 @@
+//! A model as data that prints as JSON.
+
+use crate::values;
+use residua::Catalogued;
+use residua::description::{Count, Solver, Variable};
+use serde::Serialize;
+
+/// What `list --json` says about a model.
+#[derive(Serialize)]
+pub struct Model {
+    /// The stem of its file.
+    pub name: &'static str,
+    /// Its doc lines.
+    pub doc: &'static str,
+    /// With their defaults.
+    pub parameters: Vec<Quantity>,
+    /// With their start values for these defaults.
+    pub states: Vec<Quantity>,
+    /// Constant along solutions.
+    pub invariants: Vec<Quantity>,
+    /// What else it reports.
+    pub observables: Vec<Quantity>,
+    /// One per form.
+    pub solvers: Vec<Form>,
+    /// It has continuous equations.
+    pub flow: bool,
+    /// What papers print.
+    pub claims: Vec<Claim>,
+}
+
+/// A named quantity.
+#[derive(Serialize)]
+pub struct Quantity {
+    /// As in the file.
+    pub name: &'static str,
+    /// As in Rust.
+    pub ascii: &'static str,
+    /// Rows and columns.
+    pub shape: (usize, usize),
+    /// In base SI symbols.
+    pub unit: &'static str,
+    /// Its doc lines.
+    pub doc: &'static str,
+    /// Components row by row, where it has a value of its own.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub value: Option<Vec<f64>>,
+}
+
+/// A solver.
+#[derive(Serialize)]
+pub struct Form {
+    /// `next` or `increment`.
+    pub form: &'static str,
+    /// Blocks of unknowns.
+    pub unknowns: Vec<Block>,
+    /// As in the file.
+    pub equations: Vec<Block>,
+    /// Entries of the Jacobian that can differ from zero.
+    pub nonzeros: usize,
+    /// Operations of each emitted function.
+    pub operations: Vec<Operations>,
+}
+
+/// A block of unknowns or an equation.
+#[derive(Serialize)]
+pub struct Block {
+    /// Its text.
+    pub text: &'static str,
+    /// Number of components.
+    pub len: usize,
+    /// Line in the file, for equations.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub line: Option<usize>,
+}
+
+/// Operations of one function.
+#[derive(Serialize)]
+pub struct Operations {
+    /// Its name.
+    pub function: &'static str,
+    /// `+` and `-`
+    pub additions: usize,
+    /// `*`
+    pub multiplications: usize,
+    /// `/`
+    pub divisions: usize,
+    /// Elementary functions.
+    pub calls: usize,
+}
+
+/// A printed Jacobian.
+#[derive(Serialize)]
+pub struct Claim {
+    /// What its author calls it.
+    pub label: &'static str,
+    /// Line in the file.
+    pub line: usize,
+    /// Entries that differ from the derivative.
+    pub wrong_entries: usize,
+}
+
+/// Reads it off a compiled model.
+pub fn describe(model: &Catalogued) -> Model {
+    let description = model.description;
+    let defaults = values::defaults(model);
+    let start = values::start(model, &defaults);
+    let outputs = |invariant: bool| {
+        let kept = description
+            .outputs
+            .iter()
+            .filter(move |o| o.invariant == invariant);
+        kept.map(|output| quantity(&output.variable, None))
+            .collect()
+    };
+    let claims = description.claims.iter().map(|claim| Claim {
+        label: claim.label,
+        line: claim.line,
+        wrong_entries: claim.differences.len(),
+    });
+    Model {
+        name: description.name,
+        doc: description.doc,
+        parameters: valued(description.parameters, &defaults),
+        states: valued(description.states, &start),
+        invariants: outputs(true),
+        observables: outputs(false),
+        solvers: description.solvers.iter().map(form).collect(),
+        flow: description.has_flow,
+        claims: claims.collect(),
+    }
+}
+
+fn valued(variables: &'static [Variable], mut values: &[f64]) -> Vec<Quantity> {
+    let next = |variable: &'static Variable| {
+        let (own, rest) = values.split_at(variable.rows * variable.cols);
+        values = rest;
+        quantity(variable, Some(own.to_vec()))
+    };
+    variables.iter().map(next).collect()
+}
+
+fn quantity(variable: &'static Variable, value: Option<Vec<f64>>) -> Quantity {
+    Quantity {
+        name: variable.name,
+        ascii: variable.ascii,
+        shape: (variable.rows, variable.cols),
+        unit: variable.unit,
+        doc: variable.doc,
+        value,
+    }
+}
+
+fn form(solver: &'static Solver) -> Form {
+    let unknowns = solver.unknowns.iter().map(|unknown| Block {
+        text: unknown.name,
+        len: unknown.len,
+        line: None,
+    });
+    let equations = solver.equations.iter().map(|equation| Block {
+        text: equation.text,
+        len: equation.len,
+        line: Some(equation.line),
+    });
+    Form {
+        form: solver.form,
+        unknowns: unknowns.collect(),
+        equations: equations.collect(),
+        nonzeros: solver.pattern.len(),
+        operations: solver.counts.iter().map(operations).collect(),
+    }
+}
+
+fn operations(&(function, count): &(&'static str, Count)) -> Operations {
+    let Count {
+        additions,
+        multiplications,
+        divisions,
+        calls,
+    } = count;
+    Operations {
+        function,
+        additions,
+        multiplications,
+        divisions,
+        calls,
+    }
+}

@@ -1,0 +1,40 @@
+//! `residua expand`: the generated Rust.
+
+use crate::diagnose::{compile, compile_file};
+use crate::failure::Failure;
+use clap::Args;
+use residua_codegen::source::read_source;
+use residua_models::find;
+use std::io::{self, Write};
+use std::path::Path;
+
+/// Print the Rust that is generated from a model
+#[derive(Args)]
+pub struct Expand {
+    /// A model from `residua list`, or the path of a model file
+    model: String,
+}
+
+impl Expand {
+    /// Prints it formatted.
+    pub fn run(self) -> Result<(), Failure> {
+        let tokens = match as_path(&self.model) {
+            Some(path) => compile_file(path)?,
+            None => {
+                let entry = find(&self.model)?;
+                let (name, text) = (entry.name(), entry.source);
+                let shown = format!("{name}.model");
+                compile(name, &shown, text, read_source(name, text.as_bytes()))?
+            }
+        };
+        let file = syn::parse2(tokens)
+            .map_err(|error| Failure::Run(format!("the generated code is no Rust: {error}")))?;
+        Ok(write!(io::stdout(), "{}", prettyplease::unparse(&file))?)
+    }
+}
+
+/// `argument` as a path, if it looks like one.
+pub fn as_path(argument: &str) -> Option<&Path> {
+    let path = Path::new(argument);
+    (path.extension().is_some() || path.components().count() > 1).then_some(path)
+}

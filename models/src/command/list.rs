@@ -1,0 +1,73 @@
+//! `residua list`: the catalogue, or everything about one model.
+
+use crate::describe::{Model, describe};
+use crate::failure::Failure;
+use crate::show::show;
+use crate::table::Table;
+use clap::Args;
+use residua_models::{CATALOGUE, find};
+use std::io::{self, Write};
+
+/// List the models, or show all about one
+#[derive(Args)]
+#[command(visible_alias = "show")]
+pub struct List {
+    /// Show this model: parameters, states, equations, invariants, claims, operation counts
+    model: Option<String>,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+impl List {
+    /// Prints the list or the model.
+    pub fn run(self) -> Result<(), Failure> {
+        let mut out = io::stdout().lock();
+        if let Some(name) = &self.model {
+            let model = describe(find(name)?.catalogued);
+            return match self.json {
+                true => print_json(&model, &mut out),
+                false => Ok(show(&model, &mut out)?),
+            };
+        }
+        let models: Vec<Model> = CATALOGUE
+            .iter()
+            .map(|entry| describe(entry.catalogued))
+            .collect();
+        match self.json {
+            true => print_json(&models, &mut out),
+            false => Ok(write!(out, "{}", overview(&models))?),
+        }
+    }
+}
+
+/// Prints `value` as JSON, indented.
+pub fn print_json(value: &impl serde::Serialize, out: &mut impl Write) -> Result<(), Failure> {
+    serde_json::to_writer_pretty(&mut *out, value).map_err(io::Error::from)?;
+    Ok(writeln!(out)?)
+}
+
+fn overview(models: &[Model]) -> Table {
+    let mut table = Table::new(&["model", "states", "unknowns", "forms", "about"]);
+    for model in models {
+        let states: Vec<&str> = model.states.iter().map(|state| state.name).collect();
+        let forms: Vec<&str> = model.solvers.iter().map(|solver| solver.form).collect();
+        let unknowns = model.solvers.first().map_or(0, |solver| {
+            solver.unknowns.iter().map(|block| block.len).sum::<usize>()
+        });
+        table.row([
+            model.name.to_owned(),
+            states.join(" "),
+            unknowns.to_string(),
+            forms.join(", "),
+            model
+                .doc
+                .lines()
+                .next()
+                .unwrap_or_default()
+                .trim()
+                .to_owned(),
+        ]);
+    }
+    table
+}

@@ -1,0 +1,51 @@
+//! The `residua` command: data on stdout or in files, everything else on stderr; exit code 0 if all
+//! went well, 1 if a run or a check failed, 2 for bad usage or input.
+
+mod assignment;
+mod check;
+mod columns;
+mod describe;
+mod diagnose;
+mod expand;
+mod expression;
+mod failure;
+mod list;
+mod name;
+mod new;
+mod notation;
+mod show;
+mod simulate;
+mod table;
+mod values;
+
+use clap::{Parser, Subcommand};
+use failure::Failure;
+use std::process::ExitCode;
+
+/// Newton solvers generated from discrete equations of motion.
+#[derive(Parser)]
+#[command(name = "residua", version, arg_required_else_help = true)]
+struct Command {
+    #[command(subcommand)]
+    verb: Verb,
+}
+
+#[derive(Subcommand)]
+enum Verb {
+    List(list::List),
+    Simulate(simulate::Simulate),
+    Check(check::Check),
+    Expand(expand::Expand),
+    New(new::New),
+}
+
+fn main() -> ExitCode {
+    let outcome = match Command::parse().verb {
+        Verb::List(list) => list.run(),
+        Verb::Simulate(simulate) => simulate.run(),
+        Verb::Check(check) => check.run(),
+        Verb::Expand(expand) => expand.run(),
+        Verb::New(new) => new.run(),
+    };
+    outcome.map_or_else(Failure::report, |()| ExitCode::SUCCESS)
+}

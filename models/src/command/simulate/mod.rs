@@ -1,0 +1,222 @@
+//! `residua simulate`: a run, its rows, its picture, and a summary.
+
+mod drift;
+mod plan;
+mod plot;
+mod recorder;
+mod rows;
+mod trace;
+
+use crate::assignment::{Assignment, parse};
+use crate::columns::header;
+use crate::failure::Failure;
+use crate::notation;
+use clap::{Args, ValueEnum};
+use plan::{Plan, Scheme, plan};
+use plot::Figure;
+use recorder::Recorder;
+use residua::description::Description;
+use residua::erased::{Run, Sample};
+use residua::{Catalogued, Settings, Statistics};
+use residua_models::find;
+use rows::Rows;
+use std::fs::File;
+use std::io::{self, BufWriter, IsTerminal, Write};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+use trace::Trace;
+
+/// Run a model and write its states, observables and invariants
+#[derive(Args)]
+pub struct Simulate {
+    /// A model from `residua list`
+    model: String,
+    /// Which discrete equations to solve: those for x[k+1] or those for Δx [default: the first the
+    /// model has]
+    #[arg(long, value_name = "next|increment")]
+    form: Option<String>,
+    /// Newton on the discrete equations, or Runge–Kutta 4 on the continuous ones
+    #[arg(long, value_enum, default_value = "newton")]
+    scheme: SchemeName,
+    /// Set a parameter: `--set m=3`, `--set "J=diag(1,2.8,2)"`, `--set "J(2,2)=3"`
+    #[arg(long, value_name = "NAME=EXPR", value_parser = parse)]
+    set: Vec<Assignment>,
+    /// Set a start value: `--start "ω=[0.5,-0.5,0.4]"`, `--start omega.x=pi/3`
+    #[arg(long, value_name = "NAME=EXPR", value_parser = parse)]
+    start: Vec<Assignment>,
+    /// Time step h
+    #[arg(
+        long,
+        value_name = "H",
+        default_value_t = 0.01,
+        allow_negative_numbers = true
+    )]
+    step: f64,
+    /// End time
+    #[arg(
+        long,
+        value_name = "T",
+        default_value_t = 10.0,
+        allow_negative_numbers = true
+    )]
+    until: f64,
+    /// Keep every N-th step, and the last one
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
+    every: u64,
+    /// Largest accepted Newton correction, relative to the size of what it corrects
+    #[arg(
+        long,
+        value_name = "EPS",
+        default_value = "1e-12",
+        allow_negative_numbers = true
+    )]
+    tolerance: f64,
+    /// File for the rows, as CSV [default: standard output, unless there is a --plot]
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// File for a picture, as SVG
+    #[arg(long, value_name = "FILE")]
+    plot: Option<PathBuf>,
+    /// Do not print the summary
+    #[arg(long, short)]
+    quiet: bool,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum SchemeName {
+    Newton,
+    Rk4,
+}
+
+impl Simulate {
+    /// Runs the model.
+    pub fn run(self) -> Result<(), Failure> {
+        let model = find(&self.model)?.catalogued;
+        let plan = plan(&self, model)?;
+        if let Some(note) = plan.note.as_ref().filter(|_| !self.quiet) {
+            eprintln!("note: {note}");
+        }
+        // Before the run, so that a bad path does not cost one.
+        let picture = self.plot.as_deref().map(create).transpose()?;
+        let mut recorder = self.recorder(model, &plan)?;
+        let clock = Instant::now();
+        let outcome = self.advance(&plan, &mut recorder);
+        let elapsed = clock.elapsed();
+        let recorded = recorder.finish()?;
+        // What was computed before a failure is as good as in any run, so it is shown as well.
+        if let (Some(file), Some(trace)) = (picture, recorded.trace) {
+            let subtitle = self.subtitle(&plan, outcome.as_ref().ok());
+            draw(file, trace, model.description, subtitle)?;
+        }
+        let statistics = outcome?;
+        if !self.quiet {
+            eprintln!("{}", pace(&plan, self.step, &statistics, elapsed));
+            eprint!("{}", recorded.drift);
+            self.name_files(recorded.rows);
+        }
+        Ok(())
+    }
+
+    fn recorder(&self, model: &'static Catalogued, plan: &Plan) -> Result<Recorder, Failure> {
+        let header = header(model.description);
+        let to_stdout = self.out.as_deref().map_or(self.plot.is_none(), is_stdout);
+        let out: Option<Box<dyn Write>> = match &self.out {
+            _ if to_stdout => Some(Box::new(BufWriter::new(io::stdout()))),
+            Some(path) => Some(Box::new(BufWriter::new(create(path)?))),
+            None => None,
+        };
+        let kept = plan.steps / self.every + 2;
+        let trace = self
+            .plot
+            .is_some()
+            .then(|| Trace::new(header.len() - 1, kept));
+        let rows = out.map(|out| Rows::new(out, &header)).transpose()?;
+        let drawn = !(to_stdout && io::stdout().is_terminal()) && !self.quiet;
+        Ok(Recorder::new(model, plan, self.step, rows, trace, drawn))
+    }
+
+    fn advance(&self, plan: &Plan, recorder: &mut Recorder) -> Result<Statistics, Failure> {
+        let run = Run {
+            parameters: &plan.parameters,
+            start: &plan.start,
+            h: self.step,
+            t0: 0.0,
+            steps: plan.steps,
+            every: self.every,
+            settings: Settings {
+                tolerance: self.tolerance,
+                ..Settings::default()
+            },
+        };
+        let mut observer = |sample: Sample<'_>| recorder.take(&sample);
+        let outcome = match plan.scheme {
+            Scheme::Newton(solver) => solver.simulate(&run, &mut observer),
+            Scheme::RungeKutta(flow) => flow.simulate(&run, &mut observer),
+        };
+        outcome.map_err(|error| Failure::Run(error.to_string()))
+    }
+
+    fn subtitle(&self, plan: &Plan, statistics: Option<&Statistics>) -> String {
+        let scheme = match plan.scheme {
+            Scheme::Newton(solver) => format!("{} form", solver.solver().form),
+            Scheme::RungeKutta(_) => "Runge–Kutta 4".to_owned(),
+        };
+        let pace = statistics.and_then(iterations);
+        let set = self.set.iter().chain(&self.start).map(ToString::to_string);
+        let mut parts = vec![scheme, format!("h = {}", self.step)];
+        parts.extend(pace);
+        parts.extend(set);
+        parts.join(" · ")
+    }
+
+    fn name_files(&self, rows: Option<u64>) {
+        if let (Some(path), Some(rows)) = (self.out.as_deref().filter(|p| !is_stdout(p)), rows) {
+            eprintln!("{} ({rows} rows)", path.display());
+        }
+        if let Some(path) = &self.plot {
+            eprintln!("{}", path.display());
+        }
+    }
+}
+
+fn draw(
+    mut file: File,
+    trace: Trace,
+    description: &'static Description,
+    subtitle: String,
+) -> Result<(), Failure> {
+    let unit = if notation::has_units(description) {
+        " [s]"
+    } else {
+        ""
+    };
+    let figure = Figure {
+        title: description.name.to_owned(),
+        subtitle,
+        time: format!("t{unit}"),
+        panels: trace.into_panels(description),
+    };
+    let text = plot::svg(&figure).map_err(Failure::Run)?;
+    Ok(file.write_all(text.as_bytes())?)
+}
+
+fn is_stdout(path: &Path) -> bool {
+    path == Path::new("-")
+}
+
+fn create(path: &Path) -> Result<File, Failure> {
+    File::create(path).map_err(|error| Failure::file("write", path, &error))
+}
+
+/// `10000 steps of 0.01 to t = 100 in 12 ms, 3.02 iterations per step`
+fn pace(plan: &Plan, step: f64, statistics: &Statistics, elapsed: Duration) -> String {
+    let steps = plan.steps;
+    let end = notation::number(steps as f64 * step);
+    let iterations = iterations(statistics).map_or(String::new(), |text| format!(", {text}"));
+    format!("{steps} steps of {step} to t = {end} in {elapsed:.1?}{iterations}")
+}
+
+fn iterations(statistics: &Statistics) -> Option<String> {
+    let per_step = statistics.iterations as f64 / statistics.steps.max(1) as f64;
+    (statistics.iterations > 0).then(|| format!("{per_step:.2} iterations per step"))
+}

@@ -1,0 +1,167 @@
+//! From the options of `simulate` to a run that can start.
+
+use super::Simulate;
+use crate::assignment::{Target, assign};
+use crate::expression::Symbol;
+use crate::failure::Failure;
+use crate::notation::number;
+use crate::values;
+use residua::Catalogued;
+use residua::description::Variable;
+use residua::erased::{AnyFlow, AnySolver};
+
+/// More steps than this are taken for a mistake: at 100 ns a step they last a day.
+const MAX_STEPS: f64 = 1e12;
+
+/// How far `until / step` may fall short of a whole number for a run that is meant to end there.
+/// It covers the rounding of decimal steps, [steps].
+const END_TOLERANCE: f64 = 1e-9;
+
+/// A run that can start.
+pub struct Plan {
+    /// What advances the state.
+    pub scheme: Scheme,
+    /// Flat.
+    pub parameters: Vec<f64>,
+    /// Flat.
+    pub start: Vec<f64>,
+    /// Number of steps.
+    pub steps: u64,
+    /// What the user should know before the run.
+    pub note: Option<String>,
+}
+
+/// What advances the state.
+#[derive(Clone, Copy)]
+pub enum Scheme {
+    /// The discrete equations.
+    Newton(&'static dyn AnySolver),
+    /// Runge–Kutta 4 on the continuous ones.
+    RungeKutta(&'static dyn AnyFlow),
+}
+
+/// Checks the options against the model.
+pub fn plan(options: &Simulate, model: &Catalogued) -> Result<Plan, Failure> {
+    let (steps, note) = steps(options.step, options.until)?;
+    if !(options.tolerance > 0.0 && options.tolerance < 1.0) {
+        let message = format!(
+            "the tolerance is {}, not between 0 and 1",
+            options.tolerance
+        );
+        return Err(Failure::input(message));
+    }
+    let (parameters, start) = values(options, model)?;
+    Ok(Plan {
+        scheme: scheme(options, model)?,
+        parameters,
+        start,
+        steps,
+        note,
+    })
+}
+
+fn steps(step: f64, until: f64) -> Result<(u64, Option<String>), Failure> {
+    if !(step.is_finite() && step > 0.0) {
+        return Err(Failure::input(format!(
+            "the step is {step}, not a positive number"
+        )));
+    }
+    if !(until.is_finite() && until > 0.0) {
+        return Err(Failure::input(format!(
+            "the end time is {until}, not a positive number"
+        )));
+    }
+    let ratio = until / step;
+    if ratio + END_TOLERANCE < 1.0 {
+        let message = format!("the run ends at t = {until}, before its first step of {step}");
+        return Err(Failure::input(message));
+    }
+    if ratio > MAX_STEPS {
+        let message = format!("{until} / {step} are {ratio:.1e} steps, more than {MAX_STEPS:e}");
+        return Err(Failure::input(message));
+    }
+    let steps = (ratio + END_TOLERANCE).floor();
+    let whole = (ratio - steps).abs() <= END_TOLERANCE * ratio.max(1.0);
+    let end = number(steps * step);
+    let note = format!("{until} is no multiple of the step {step}: the run ends at t = {end}");
+    Ok((steps as u64, (!whole).then_some(note)))
+}
+
+fn scheme(options: &Simulate, model: &Catalogued) -> Result<Scheme, Failure> {
+    let name = model.description.name;
+    match (options.scheme, &options.form) {
+        (super::SchemeName::Rk4, Some(_)) => Err(Failure::input(
+            "--form chooses discrete equations, and rk4 integrates the continuous ones",
+        )),
+        (super::SchemeName::Rk4, None) => model.flow.map(Scheme::RungeKutta).ok_or_else(|| {
+            Failure::input_with_help(
+                format!("`{name}` has no continuous equations for rk4"),
+                "give its model file a `flow { … }`",
+            )
+        }),
+        (super::SchemeName::Newton, form) => solver(form.as_deref(), model).map(Scheme::Newton),
+    }
+}
+
+/// The solver of a form, or the first one.
+fn solver(form: Option<&str>, model: &Catalogued) -> Result<&'static dyn AnySolver, Failure> {
+    let name = model.description.name;
+    let wanted = |solver: &&&'static dyn AnySolver| form.is_none_or(|f| solver.solver().form == f);
+    model.solvers.iter().find(wanted).copied().ok_or_else(|| {
+        let forms: Vec<&str> = model.solvers.iter().map(|s| s.solver().form).collect();
+        Failure::input(match form {
+            Some(form) => format!(
+                "`{name}` has no form `{form}`, only {}",
+                forms.join(" and ")
+            ),
+            None => format!("`{name}` has no discrete equations"),
+        })
+    })
+}
+
+/// Parameters and start values: those of the file, overwritten by `--set` and `--start`.
+fn values(options: &Simulate, model: &Catalogued) -> Result<(Vec<f64>, Vec<f64>), Failure> {
+    let description = model.description;
+    let mut parameters = values::defaults(model);
+    let defaults = symbols(description.parameters, &parameters);
+    let target = Target {
+        kind: "parameter",
+        variables: description.parameters,
+        values: &mut parameters,
+    };
+    assign(&options.set, target, &defaults)?;
+
+    let mut start = values::start(model, &parameters);
+    let set = symbols(description.parameters, &parameters);
+    let target = Target {
+        kind: "state",
+        variables: description.states,
+        values: &mut start,
+    };
+    assign(&options.start, target, &set)?;
+    match start.iter().find(|value| !value.is_finite()) {
+        Some(value) => Err(Failure::input(format!(
+            "a start value of `{}` is {value}",
+            description.name
+        ))),
+        None => Ok((parameters, start)),
+    }
+}
+
+/// The parameters under their names.
+fn symbols<'a>(variables: &'a [Variable], values: &[f64]) -> Vec<Symbol<'a>> {
+    let mut offset = 0;
+    let symbol = |variable: &'a Variable| {
+        let len = variable.rows * variable.cols;
+        offset += len;
+        Symbol {
+            name: variable.name,
+            shape: (variable.rows, variable.cols),
+            values: values[offset - len..offset].to_vec(),
+        }
+    };
+    variables.iter().map(symbol).collect()
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,259 @@
+//! A run as a picture: panels above each other over one time axis, as SVG.
+//!
+//! Comes in: a [`Figure`] of curves that are already thinned out. Goes out: the text of an SVG file.
+
+use crate::notation::power_of_ten;
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+
+/// A picture.
+pub struct Figure {
+    /// Large, above everything.
+    pub title: String,
+    /// Small, below the title.
+    pub subtitle: String,
+    /// Label of the time axis.
+    pub time: String,
+    /// From top to bottom.
+    pub panels: Vec<Panel>,
+}
+
+/// Curves of one unit.
+pub struct Panel {
+    /// What the panel shows: `ω`, `drift of energy`.
+    pub title: String,
+    /// Its unit, `1` for none.
+    pub unit: String,
+    /// In legend order.
+    pub curves: Vec<Curve>,
+}
+
+/// One component over time.
+pub struct Curve {
+    /// Its name in the legend.
+    pub label: String,
+    /// (t, value), all finite.
+    pub points: Vec<(f64, f64)>,
+}
+
+/// Backend units per pixel: plotters rounds coordinates to integers, which would show as steps.
+const SCALE: i32 = 10;
+/// Width of the picture, [px].
+const WIDTH: i32 = 960;
+/// Height of the title, [px].
+const HEADER: i32 = 62;
+/// Height of a panel, [px].
+const PANEL: i32 = 148;
+/// Space above the curves of a panel for its title, [px].
+const CAPTION: i32 = 26;
+/// Height of the time axis below the last panel, [px].
+const AXIS: i32 = 46;
+/// Space left of the curves for the values, [px].
+const LEFT: i32 = 64;
+/// Space right of the curves for the legend, [px].
+const RIGHT: i32 = 104;
+
+/// Width of a curve, [backend units].
+const STROKE: u32 = 13;
+
+/// The reader's own interface font, as the picture is looked at in browsers.
+const FONTS: &str = "system-ui, 'Segoe UI', 'Helvetica Neue', Arial, 'DejaVu Sans', sans-serif";
+
+const PAPER: RGBColor = RGBColor(252, 252, 250);
+const INK: RGBColor = RGBColor(38, 43, 49);
+const MUTED: RGBColor = RGBColor(108, 115, 123);
+const GRID: RGBColor = RGBColor(229, 229, 224);
+const AXES: RGBColor = RGBColor(158, 164, 170);
+
+/// Colours of the curves of a panel, told apart by hue and lightness.
+const PALETTE: [RGBColor; 9] = [
+    RGBColor(41, 98, 168),
+    RGBColor(214, 118, 30),
+    RGBColor(52, 140, 92),
+    RGBColor(188, 62, 66),
+    RGBColor(126, 92, 168),
+    RGBColor(30, 146, 160),
+    RGBColor(140, 102, 60),
+    RGBColor(200, 106, 160),
+    RGBColor(110, 118, 128),
+];
+
+/// Curves that a panel has room for.
+pub const MAX_CURVES: usize = PALETTE.len();
+
+/// The picture as the text of an SVG file.
+pub fn svg(figure: &Figure) -> Result<String, String> {
+    let height = HEADER + PANEL * figure.panels.len() as i32 + AXIS;
+    let size = ((WIDTH * SCALE) as u32, (height * SCALE) as u32);
+    let mut text = String::new();
+    {
+        let root = SVGBackend::with_string(&mut text, size).into_drawing_area();
+        draw(figure, &root).map_err(|error| error.to_string())?;
+        root.present().map_err(|error| error.to_string())?;
+    }
+    let drawn = format!(r#"width="{}" height="{}""#, size.0, size.1);
+    let shown = format!(r#"width="{WIDTH}" height="{height}""#);
+    Ok(text.replacen(&drawn, &shown, 1))
+}
+
+type Area<'a> = DrawingArea<SVGBackend<'a>, plotters::coord::Shift>;
+type Drawn<'a> = Result<(), DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBackend>::ErrorType>>;
+
+fn draw<'a>(figure: &Figure, root: &Area<'a>) -> Drawn<'a> {
+    root.fill(&PAPER)?;
+    let (header, body) = root.split_vertically(HEADER * SCALE);
+    write(&header, &figure.title, (22, 16), bold(17.0, INK))?;
+    write(&header, &figure.subtitle, (22, 40), font(12.0, MUTED))?;
+    let span = extent(figure.panels.iter().flat_map(|panel| &panel.curves), |p| {
+        p.0
+    });
+    let mut rest = body;
+    for (i, panel) in figure.panels.iter().enumerate() {
+        let last = i + 1 == figure.panels.len();
+        let height = if last { PANEL + AXIS } else { PANEL };
+        let (area, below) = rest.split_vertically(height * SCALE);
+        rest = below;
+        draw_panel(panel, span, last.then_some(figure.time.as_str()), &area)?;
+    }
+    Ok(())
+}
+
+fn draw_panel<'a>(
+    panel: &Panel,
+    (start, end): (f64, f64),
+    time: Option<&str>,
+    area: &Area<'a>,
+) -> Drawn<'a> {
+    let (low, high) = padded(extent(&panel.curves, |p| p.1));
+    let exponent = common_exponent(low, high);
+    draw_caption(panel, exponent, area)?;
+    let mut chart = ChartBuilder::on(area)
+        .margin_top(CAPTION * SCALE)
+        .margin_right(RIGHT * SCALE)
+        .set_label_area_size(LabelAreaPosition::Left, LEFT * SCALE)
+        .set_label_area_size(
+            LabelAreaPosition::Bottom,
+            if time.is_some() { AXIS * SCALE } else { 0 },
+        )
+        .build_cartesian_2d(start..end, low..high)?;
+    chart
+        .configure_mesh()
+        .disable_x_mesh()
+        .y_max_light_lines(0)
+        .y_labels(5)
+        .x_labels(11)
+        .bold_line_style(GRID.stroke_width(SCALE as u32))
+        .axis_style(AXES.stroke_width(SCALE as u32))
+        .label_style(font(11.0, MUTED))
+        .axis_desc_style(font(12.0, MUTED))
+        .x_desc(time.unwrap_or_default())
+        .x_label_formatter(&|value| short(*value))
+        .y_label_formatter(&|value| short(value / 10f64.powi(exponent)))
+        .set_all_tick_mark_size(4 * SCALE)
+        .draw()?;
+    for (curve, color) in panel.curves.iter().zip(PALETTE) {
+        let style = color.stroke_width(STROKE);
+        chart.draw_series(LineSeries::new(curve.points.iter().copied(), style))?;
+    }
+    Ok(())
+}
+
+/// The title of a panel on its upper edge and, for more than one curve, a legend on its right.
+fn draw_caption<'a>(panel: &Panel, exponent: i32, area: &Area<'a>) -> Drawn<'a> {
+    let unit = match (exponent, panel.unit.as_str()) {
+        (0, "1") => String::new(),
+        (0, unit) => format!("[{unit}]"),
+        (_, "1") => format!("[{}]", power_of_ten(exponent)),
+        (_, unit) => format!("[{} {unit}]", power_of_ten(exponent)),
+    };
+    let caption = format!("{}  {unit}", panel.title);
+    write(area, caption.trim_end(), (LEFT, 8), bold(12.5, INK))?;
+    if panel.curves.len() < 2 {
+        return Ok(());
+    }
+    let left = WIDTH - RIGHT + 14;
+    let pitch = if panel.curves.len() > 6 { 13 } else { 17 };
+    for (i, (curve, color)) in panel.curves.iter().zip(PALETTE).enumerate() {
+        let y = CAPTION + 8 + pitch * i as i32;
+        area.draw(&PathElement::new(
+            [(left * SCALE, y * SCALE), ((left + 16) * SCALE, y * SCALE)],
+            color.stroke_width(2 * SCALE as u32),
+        ))?;
+        let middle = Pos::new(HPos::Left, VPos::Center);
+        write(
+            area,
+            &curve.label,
+            (left + 22, y),
+            font(12.0, INK).pos(middle),
+        )?;
+    }
+    Ok(())
+}
+
+fn write<'a>(area: &Area<'a>, text: &str, (x, y): (i32, i32), style: TextStyle<'_>) -> Drawn<'a> {
+    area.draw(&Text::new(text, (x * SCALE, y * SCALE), style))
+}
+
+/// Text of `size` px.
+fn font(size: f64, color: RGBColor) -> TextStyle<'static> {
+    typeface(size).color(&color)
+}
+
+fn bold(size: f64, color: RGBColor) -> TextStyle<'static> {
+    typeface(size).style(FontStyle::Bold).color(&color)
+}
+
+/// The factor undoes the conversion of plotters' SVG backend.
+fn typeface(size: f64) -> FontDesc<'static> {
+    (FONTS, size * 1.24 * f64::from(SCALE)).into_font()
+}
+
+/// Smallest and largest coordinate of all curves, (0, 1) if there is none.
+fn extent<'c>(
+    curves: impl IntoIterator<Item = &'c Curve>,
+    coordinate: impl Fn(&(f64, f64)) -> f64,
+) -> (f64, f64) {
+    let values = curves
+        .into_iter()
+        .flat_map(|curve| curve.points.iter().map(&coordinate));
+    let bounds = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
+        (low.min(value), high.max(value))
+    });
+    if bounds.0 <= bounds.1 {
+        bounds
+    } else {
+        (0.0, 1.0)
+    }
+}
+
+/// The range of an axis around its values, never empty.
+fn padded((low, high): (f64, f64)) -> (f64, f64) {
+    let magnitude = low.abs().max(high.abs());
+    // Below this share of its size a variation is rounding, and magnifying it would mislead.
+    let flat = 1e-9 * magnitude;
+    match high - low {
+        _ if magnitude == 0.0 => (-1.0, 1.0),
+        height if height <= flat => (low - 0.5 * magnitude, high + 0.5 * magnitude),
+        height => (low - 0.08 * height, high + 0.08 * height),
+    }
+}
+
+/// The power of ten that the values of an axis share, 0 where they read well as they are.
+fn common_exponent(low: f64, high: f64) -> i32 {
+    let exponent = low.abs().max(high.abs()).log10().floor() as i32;
+    if (-2..=3).contains(&exponent) {
+        0
+    } else {
+        exponent
+    }
+}
+
+/// A tick value without the noise of binary fractions.
+fn short(value: f64) -> String {
+    let text = format!("{value:.6}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    match text {
+        "-0" => "0".to_owned(),
+        _ => text.replace('-', "−"),
+    }
+}

@@ -1,0 +1,18 @@
+//! Flat values of a model, as its file gives them.
+
+use crate::columns::total;
+use residua::Catalogued;
+
+/// The parameters.
+pub fn defaults(model: &Catalogued) -> Vec<f64> {
+    let mut parameters = vec![0.0; total(model.description.parameters)];
+    model.model.defaults(&mut parameters);
+    parameters
+}
+
+/// The start state for these parameters.
+pub fn start(model: &Catalogued, parameters: &[f64]) -> Vec<f64> {
+    let mut state = vec![0.0; total(model.description.states)];
+    model.model.start(parameters, &mut state);
+    state
+}
