@@ -55,7 +55,7 @@ fn add(path: &Path, bytes: &[u8], modules: &mut String, entries: &mut String) {
     let include = format!(
         "#[doc = \"The model of `{stem}.model`.\"]\npub mod {stem} {{\n    use ::residua::model;\n    include!({file});\n}}\n"
     );
-    match read_source(&stem, bytes) {
+    match read_source(bytes) {
         Ok(_) => {
             modules.push_str(&include);
             let entry =

@@ -1,9 +1,14 @@
 //! The driver: the one file that names more than one stage.
 
 use crate::ast::Form;
+use crate::ast::Name;
 use crate::check::check;
+use crate::check::check_value;
 use crate::claims::claims;
+use crate::dag::Leaf;
+use crate::diagnostic::Diagnostic;
 use crate::diagnostic::Errors;
+use crate::diagnostic::Range;
 use crate::differentiate::differentiate;
 use crate::emit::emit;
 use crate::emit::errors;
@@ -13,21 +18,23 @@ use crate::finding::Finding;
 use crate::lower::lower_continuous;
 use crate::lower::lower_discrete;
 use crate::model::Model;
+use crate::model::Shape;
+use crate::parse::ascii_spelling;
 use crate::parse::parse;
+use crate::parse::parse_expression;
+use crate::source::lex;
 use crate::stage::program;
 use crate::structure::structure;
 use crate::system::Equations;
 use crate::system::System;
+use proc_macro2::Span;
 use proc_macro2::TokenStream;
 
 /// The Rust items of a model, from the tokens inside `model! { … }`; `name` is the stem of its file.
 /// A model with mistakes becomes compiler errors and items that keep callers quiet.
 pub fn expand(name: &str, tokens: TokenStream) -> TokenStream {
     match compile(name, tokens) {
-        Ok(compiled) => {
-            let program = program(&compiled.equations, &compiled.systems);
-            emit(&compiled.model, &program, &compiled.findings)
-        }
+        Ok(items) => items,
         Err(mistakes) => {
             let mut tokens = errors(mistakes);
             tokens.extend(stub(name));
@@ -36,9 +43,19 @@ pub fn expand(name: &str, tokens: TokenStream) -> TokenStream {
     }
 }
 
+/// The Rust items of a model, from the tokens inside `model! { … }`.
+///
+/// # Errors
+/// All mistakes of the first stage that finds any.
+pub fn compile(name: &str, tokens: TokenStream) -> Result<TokenStream, Errors> {
+    let analysis = analyse(name, tokens)?;
+    let program = program(&analysis.equations, &analysis.systems);
+    Ok(emit(&analysis.model, &program, &analysis.findings))
+}
+
 /// Everything the generator knows about a model before it emits code.
 #[derive(Clone, Debug)]
-pub struct Compiled {
+pub struct Analysis {
     /// Names, shapes, units, texts.
     pub model: Model,
     /// Defaults, start, outputs, flow.
@@ -49,11 +66,11 @@ pub struct Compiled {
     pub findings: Vec<Finding>,
 }
 
-/// Runs the stages up to [`System`] on the tokens inside `model! { … }`.
+/// Runs the stages up to [`System`].
 ///
 /// # Errors
-/// All mistakes of the first stage that finds any.
-pub fn compile(name: &str, tokens: TokenStream) -> Result<Compiled, Errors> {
+/// As [`compile`].
+pub fn analyse(name: &str, tokens: TokenStream) -> Result<Analysis, Errors> {
     let model = check(&parse(name, tokens)?)?;
     let equations = continuous(&model)?;
     let mut systems = Vec::new();
@@ -65,12 +82,68 @@ pub fn compile(name: &str, tokens: TokenStream) -> Result<Compiled, Errors> {
             findings = found;
         }
     }
-    Ok(Compiled {
+    Ok(Analysis {
         model,
         equations,
         systems,
         findings,
     })
+}
+
+/// The components, row by row, of `text` as a value of `shape`; it may use `symbols`, each given by its
+/// name, shape and components.
+///
+/// # Errors
+/// What is wrong with the text, in words.
+pub fn evaluate(
+    text: &str,
+    shape: Shape,
+    symbols: &[(&str, Shape, &[f64])],
+) -> Result<Vec<f64>, String> {
+    let tokens = lex(text).map_err(|error| error.message)?;
+    let expression = parse_expression(tokens).map_err(in_words)?;
+    let names: Vec<_> = symbols
+        .iter()
+        .map(|&(name, shape, _)| (spelled(name), shape))
+        .collect();
+    let model = check_value(&expression, &names, shape).map_err(in_words)?;
+    let lowered = lower_continuous(&model).map_err(in_words)?;
+    let inputs: Vec<f64> = symbols
+        .iter()
+        .flat_map(|symbol| symbol.2)
+        .copied()
+        .collect();
+    let values = lowered.dag.evaluate(|leaf| match leaf {
+        Leaf::Parameter(i) => inputs[i],
+        Leaf::StepSize | Leaf::Time | Leaf::State(_) | Leaf::Unknown(_) => f64::NAN,
+    });
+    Ok(lowered
+        .outputs
+        .iter()
+        .map(|node| values[node.index()])
+        .collect())
+}
+
+fn spelled(name: &str) -> Name {
+    Name {
+        ascii: ascii_spelling(name).unwrap_or_else(|| name.to_owned()),
+        display: name.to_owned(),
+        range: Range::of(Span::call_site()),
+    }
+}
+
+/// Mistakes in a text of one line.
+fn in_words(errors: Errors) -> String {
+    let one = |d: Diagnostic| match d.help {
+        Some(help) => format!("{} ({help})", d.message),
+        None => d.message,
+    };
+    errors
+        .into_sorted()
+        .into_iter()
+        .map(one)
+        .collect::<Vec<_>>()
+        .join("; ")
 }
 
 fn continuous(model: &Model) -> Result<Equations, Errors> {

@@ -34,11 +34,14 @@ pub mod parse;
 pub mod pattern;
 pub mod sample;
 pub mod schedule;
+pub mod source;
 pub mod stage;
 pub mod structure;
 pub mod system;
 pub mod unit;
 
-pub use compile::Compiled;
+pub use compile::Analysis;
+pub use compile::analyse;
 pub use compile::compile;
+pub use compile::evaluate;
 pub use compile::expand;

@@ -38,11 +38,6 @@ impl Expression {
         }
     }
 
-    /// True for the variable `name` itself.
-    pub(super) fn is(&self, name: &Ident) -> bool {
-        self.binding == Binding::Atom && self.tokens.to_string() == name.to_string()
-    }
-
     /// In parentheses unless it binds at least as tightly as `binding`.
     fn within(self, binding: Binding) -> Self {
         if self.binding >= binding {

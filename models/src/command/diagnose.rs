@@ -18,7 +18,7 @@ pub fn compile_file(path: &Path) -> Result<TokenStream, Failure> {
     crate::name::check(&name).map_err(Failure::input)?;
     let text = String::from_utf8_lossy(&bytes);
     let shown = path.display().to_string();
-    compile(&name, &shown, &text, read_source(&name, &bytes))
+    compile(&name, &shown, &text, read_source(&bytes))
 }
 
 /// Compiles the text of a model file, or prints what is wrong with it on stderr.

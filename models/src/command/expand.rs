@@ -24,7 +24,7 @@ impl Expand {
                 let entry = find(&self.model)?;
                 let (name, text) = (entry.name(), entry.source);
                 let shown = format!("{name}.model");
-                compile(name, &shown, text, read_source(name, text.as_bytes()))?
+                compile(name, &shown, text, read_source(text.as_bytes()))?
             }
         };
         let file = syn::parse2(tokens)

@@ -1,5 +1,7 @@
 //! Values given on the command line, in the language of the model files.
 
+use residua_codegen::model::Shape;
+
 /// A name that an expression may use.
 pub struct Symbol<'a> {
     /// As in the file: `ω`.
@@ -14,17 +16,12 @@ pub struct Symbol<'a> {
 pub fn evaluate(
     text: &str,
     shape: (usize, usize),
-    _symbols: &[Symbol<'_>],
+    symbols: &[Symbol<'_>],
 ) -> Result<Vec<f64>, String> {
-    let v: Option<Vec<f64>> = text
-        .trim_matches(['[', ']'])
-        .split(',')
-        .map(|x| x.trim().parse().ok())
+    let shaped = |(rows, cols)| Shape { rows, cols };
+    let symbols: Vec<_> = symbols
+        .iter()
+        .map(|s| (s.name, shaped(s.shape), s.values.as_slice()))
         .collect();
-    let v = v.ok_or("not a number")?;
-    if v.len() == shape.0 * shape.1 {
-        Ok(v)
-    } else {
-        Err("shape".into())
-    }
+    residua_codegen::evaluate(text, shaped(shape), &symbols)
 }

@@ -1,0 +1,218 @@
+//! From the bytes of a model file to the tokens inside its `model! { … }`.
+//!
+//! For programs that read whole files: build scripts and the command. In a build the file is included
+//! and rustc reads it; what this stage refuses beforehand is what rustc would choke on (bytes that are
+//! not UTF-8, brackets nested without end) or report less well.
+
+use proc_macro2::Delimiter;
+use proc_macro2::TokenStream;
+use proc_macro2::TokenTree;
+use std::fmt;
+use std::str::FromStr;
+
+/// Largest file, in bytes. The largest model here has 4 kB.
+const LARGEST: usize = 1 << 20;
+
+/// Deepest nesting of brackets: what the parser admits inside the braces, and some room.
+const DEEPEST: usize = 80;
+
+/// Why a file holds no model.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SourceError {
+    /// Line, counted from 1.
+    pub line: usize,
+    /// Character in the line, counted from 1.
+    pub column: usize,
+    /// What was found and what was expected.
+    pub message: String,
+    /// rustc's lexer reports it too, with a caret.
+    pub lexical: bool,
+}
+
+impl fmt::Display for SourceError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}: {}", self.line, self.column, self.message)
+    }
+}
+
+impl std::error::Error for SourceError {}
+
+/// The tokens between the braces of the one `model! { … }` in a file.
+///
+/// # Errors
+/// The first reason why there is none.
+pub fn read_source(bytes: &[u8]) -> Result<TokenStream, SourceError> {
+    if bytes.len() > LARGEST {
+        let message = format!(
+            "the file has {} bytes, expected at most {LARGEST}",
+            bytes.len()
+        );
+        return Err(at(1, 1, message));
+    }
+    let text = std::str::from_utf8(bytes).map_err(|error| not_utf8(bytes, error.valid_up_to()))?;
+    invocation(lex(text)?)
+}
+
+/// The tokens of `text`, once its brackets are known to match and not to nest too deeply.
+///
+/// # Errors
+/// The first bracket or character that is out of place.
+pub fn lex(text: &str) -> Result<TokenStream, SourceError> {
+    check_brackets(text)?;
+    TokenStream::from_str(text).map_err(|error| {
+        let start = error.span().start();
+        let message = "expected a token of Rust".to_owned();
+        SourceError {
+            lexical: true,
+            ..at(start.line, start.column + 1, message)
+        }
+    })
+}
+
+fn at(line: usize, column: usize, message: String) -> SourceError {
+    SourceError {
+        line,
+        column,
+        message,
+        lexical: false,
+    }
+}
+
+fn not_utf8(bytes: &[u8], valid: usize) -> SourceError {
+    let before = String::from_utf8_lossy(&bytes[..valid]);
+    let line = before.lines().count().max(1);
+    let column = before.lines().last().map_or(0, |line| line.chars().count()) + 1;
+    let message = format!("byte {valid} (0x{:02x}) is not UTF-8", bytes[valid]);
+    at(line, column, message)
+}
+
+/// Walks over the text outside comments and strings, keeping the brackets that are open.
+fn check_brackets(text: &str) -> Result<(), SourceError> {
+    let mut open: Vec<(char, usize, usize)> = Vec::new();
+    let mut skip = Skip::Nothing;
+    let mut before = ' ';
+    let (mut line, mut column) = (1, 0);
+    for character in text.chars() {
+        column += 1;
+        let was = skip;
+        skip = skip.after(before, character);
+        if was == Skip::Nothing && skip == Skip::Nothing {
+            match character {
+                '(' | '[' | '{' => open.push((character, line, column)),
+                ')' | ']' | '}' => close(&mut open, character, line, column)?,
+                _ => {}
+            }
+            if open.len() > DEEPEST {
+                let message = format!("brackets nest more than {DEEPEST} deep");
+                return Err(at(line, column, message));
+            }
+        }
+        // What has ended a comment or an escape does not begin another.
+        before = if was != Skip::Nothing && (skip != was || before == '\\') {
+            ' '
+        } else {
+            character
+        };
+        if character == '\n' {
+            (line, column) = (line + 1, 0);
+        }
+    }
+    match open.last() {
+        None => Ok(()),
+        Some(&(bracket, line, column)) => {
+            let message = format!("this `{bracket}` is never closed");
+            Err(SourceError {
+                lexical: true,
+                ..at(line, column, message)
+            })
+        }
+    }
+}
+
+fn close(
+    open: &mut Vec<(char, usize, usize)>,
+    bracket: char,
+    line: usize,
+    column: usize,
+) -> Result<(), SourceError> {
+    let message = match (open.pop(), bracket) {
+        (Some(('(', ..)), ')') | (Some(('[', ..)), ']') | (Some(('{', ..)), '}') => return Ok(()),
+        (Some((opened, line, _)), _) => {
+            format!("this `{bracket}` does not close the `{opened}` of line {line}")
+        }
+        (None, _) => format!("this `{bracket}` closes nothing"),
+    };
+    Err(SourceError {
+        lexical: true,
+        ..at(line, column, message)
+    })
+}
+
+/// Text in which brackets do not count.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Skip {
+    Nothing,
+    Line,
+    /// Comments nest.
+    Block(usize),
+    String,
+}
+
+impl Skip {
+    fn after(self, before: char, character: char) -> Self {
+        match (self, before, character) {
+            (Skip::Nothing, '/', '/') => Skip::Line,
+            (Skip::Nothing, '/', '*') => Skip::Block(1),
+            (Skip::Nothing, _, '"') => Skip::String,
+            (Skip::Line, _, '\n') => Skip::Nothing,
+            (Skip::Block(1), '*', '/') => Skip::Nothing,
+            (Skip::Block(depth), '*', '/') => Skip::Block(depth - 1),
+            (Skip::Block(depth), '/', '*') => Skip::Block(depth + 1),
+            (Skip::String, '\\', _) => Skip::String,
+            (Skip::String, _, '"') => Skip::Nothing,
+            (same, ..) => same,
+        }
+    }
+}
+
+/// The tokens inside `model! { … }` or `residua::model! { … }`, which must be all there is.
+fn invocation(tokens: TokenStream) -> Result<TokenStream, SourceError> {
+    let trees: Vec<TokenTree> = tokens.into_iter().collect();
+    let is_punct = |tree: &TokenTree, c| matches!(tree, TokenTree::Punct(p) if p.as_char() == c);
+    let position = trees.windows(2).position(|pair| {
+        matches!(&pair[0], TokenTree::Ident(name) if *name == "model") && is_punct(&pair[1], '!')
+    });
+    let Some(start) = position else {
+        return Err(at(1, 1, "expected `model! { … }`".to_owned()));
+    };
+    let is_path = |tree: &TokenTree| {
+        is_punct(tree, ':') || matches!(tree, TokenTree::Ident(name) if *name == "residua")
+    };
+    if let Some(stray) = trees[..start].iter().find(|tree| !is_path(tree)) {
+        return Err(stray_token(stray));
+    }
+    let body = match trees.get(start + 2) {
+        Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Brace => group.stream(),
+        _ => {
+            let place = trees[start].span().start();
+            return Err(at(
+                place.line,
+                place.column + 1,
+                "expected `model! { … }`".to_owned(),
+            ));
+        }
+    };
+    match trees[start + 3..].iter().find(|tree| !is_punct(tree, ';')) {
+        Some(stray) => Err(stray_token(stray)),
+        None => Ok(body),
+    }
+}
+
+fn stray_token(tree: &TokenTree) -> SourceError {
+    let place = tree.span().start();
+    let message = "expected nothing but one `model! { … }` in the file".to_owned();
+    at(place.line, place.column + 1, message)
+}
+
+#[cfg(test)]
+mod tests;
