@@ -1,6 +1,7 @@
 //! `DESCRIPTION` and `MODEL`: what the catalogue shows.
 
 use super::number::float;
+use super::number::whole;
 use super::solver::name;
 use crate::ast::Form;
 use crate::ast::OutputKind;
@@ -76,7 +77,7 @@ fn catalogued(program: &Program) -> TokenStream {
 
 fn variable(variable: &Variable) -> TokenStream {
     let (name, ascii) = (&variable.name.display, &variable.name.ascii);
-    let (rows, cols) = (variable.shape.rows, variable.shape.cols);
+    let (rows, cols) = (whole(variable.shape.rows), whole(variable.shape.cols));
     let unit = variable.unit.to_string();
     let doc = variable
         .doc
@@ -100,10 +101,13 @@ fn solver(model: &Model, solver: &Solver) -> TokenStream {
     let form = solver.form.keyword();
     let unknowns = model.solved.iter().map(|&s| unknown(model, s, solver.form));
     let equations = model.residual.iter().map(|e| {
-        let (text, line, len) = (&e.text, e.range.line(), e.shape.len());
+        let (text, line, len) = (&e.text, whole(e.range.line()), whole(e.shape.len()));
         quote!(::residua::description::Equation { text: #text, line: #line, len: #len })
     });
-    let pattern = solver.pattern.iter().map(|(row, col)| quote!((#row, #col)));
+    let pattern = solver.pattern.iter().map(|(row, col)| {
+        let (row, col) = (whole(*row), whole(*col));
+        quote!((#row, #col))
+    });
     let counts = solver.schedule.kernels.iter().map(|kernel| {
         let (name, count) = (kernel.name, count(solver.schedule.count(kernel)));
         quote!((#name, #count))
@@ -121,7 +125,7 @@ fn solver(model: &Model, solver: &Solver) -> TokenStream {
 
 fn unknown(model: &Model, solved: Solved, form: Form) -> TokenStream {
     let variable = model.solved_variable(solved);
-    let (shown, len) = (&variable.name.display, variable.shape.len());
+    let (shown, len) = (&variable.name.display, whole(variable.shape.len()));
     let name = match (solved, form) {
         (Solved::Own(_), _) => shown.clone(),
         (Solved::State(_), Form::Next) => format!("{shown}[k+1]"),
@@ -130,7 +134,7 @@ fn unknown(model: &Model, solved: Solved, form: Form) -> TokenStream {
     let state = match solved {
         Solved::Own(_) => quote!(::core::option::Option::None),
         Solved::State(_) => {
-            let offset = variable.offset;
+            let offset = whole(variable.offset);
             quote!(::core::option::Option::Some(#offset))
         }
     };
@@ -155,16 +159,16 @@ fn count(count: Count) -> TokenStream {
 }
 
 fn claim(finding: &Finding) -> TokenStream {
-    let (label, line) = (&finding.label, finding.line);
+    let (label, line) = (&finding.label, whole(finding.line));
     let differences = finding.differences.iter().map(|difference| {
         let Difference {
-            row,
-            col,
             entry,
             printed,
             derived,
             values,
+            ..
         } = difference;
+        let (row, col) = (whole(difference.row), whole(difference.col));
         let (first, second) = (float(values.0), float(values.1));
         quote! {
             ::residua::description::Difference {

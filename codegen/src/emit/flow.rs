@@ -1,6 +1,7 @@
 //! `Flow`: the continuous equations solved for the rates.
 
 use super::context::Context;
+use super::number::whole;
 use crate::model::Model;
 use crate::schedule::Schedule;
 use proc_macro2::TokenStream;
@@ -8,7 +9,7 @@ use quote::quote;
 
 /// The `Flow` implementation of `Model`, with its cache.
 pub(super) fn emit(model: &Model, schedule: &Schedule) -> TokenStream {
-    let n = model.n_states();
+    let n = whole(model.n_states());
     let mut context = Context::new(model, None, schedule);
     let cache = context
         .scene

@@ -71,6 +71,11 @@ fn double(value: &BigRational) -> f64 {
     value.to_f64().unwrap_or(f64::NAN)
 }
 
+/// A count or an index without the suffix that quote would give it.
+pub(super) fn whole(n: usize) -> Literal {
+    Literal::usize_unsuffixed(n)
+}
+
 /// The nearest double as a literal.
 pub(super) fn literal(value: &BigRational) -> TokenStream {
     float(double(value))

@@ -1,5 +1,6 @@
 //! The records of a model: `Parameters`, `State` and `Outputs`.
 
+use super::number::whole;
 use super::scope::Scope;
 use super::scope::components;
 use super::scope::identifier;
@@ -79,7 +80,7 @@ impl<'a> Record<'a> {
 
     fn conversions(&self) -> TokenStream {
         let name = &self.name;
-        let n = self.len();
+        let n = whole(self.len());
         let mut scope = Scope::fields();
         let wishes = self
             .fields
@@ -173,10 +174,10 @@ fn nested(shape: Shape, components: Vec<TokenStream>) -> TokenStream {
 }
 
 fn nested_type(shape: Shape) -> TokenStream {
-    let Shape { rows, cols } = shape;
+    let (rows, cols) = (whole(shape.rows), whole(shape.cols));
     if shape.is_scalar() {
         quote!(T)
-    } else if cols == 1 {
+    } else if shape.cols == 1 {
         quote!([T; #rows])
     } else {
         quote!([[T; #cols]; #rows])

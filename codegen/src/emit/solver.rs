@@ -2,16 +2,18 @@
 
 use super::context::Context;
 use super::expression::Expression;
+use super::number::whole;
 use super::scope::identifier;
 use crate::ast::Form;
 use crate::model::Model;
 use crate::schedule::Solver;
+use proc_macro2::Literal;
 use proc_macro2::TokenStream;
 use quote::quote;
 
 /// The unit struct of a form and its `System` implementation, with its caches.
 pub(super) fn emit(model: &Model, solver: &Solver, index: usize) -> TokenStream {
-    let n = model.n_unknowns();
+    let n = &whole(model.n_unknowns());
     let mut context = Context::new(model, Some(solver.form), &solver.schedule);
     let caches = [
         context
@@ -30,7 +32,7 @@ pub(super) fn emit(model: &Model, solver: &Solver, index: usize) -> TokenStream 
         jacobian_function(&mut context, solver, n),
         next_function(&mut context, n),
     ];
-    let name = name(solver.form);
+    let (name, index) = (name(solver.form), whole(index));
     let (doc, module) = (doc(solver.form), identifier(solver.form.keyword()));
     quote! {
         #[doc = #doc]
@@ -100,7 +102,7 @@ fn step_function(context: &mut Context) -> TokenStream {
     let body = context.body("step");
     let built = context.step.build(body.roots.clone());
     let (scene_type, step_type) = (context.scene.ty(), context.step.ty());
-    let n = context.model.n_states();
+    let n = whole(context.model.n_states());
     let doc = format!(" Once per step: {}.", body.cost);
     let [scene, t, state] = ["scene", "t", "state"].map(|name| body.argument(name));
     let tokens = &body.tokens;
@@ -113,7 +115,7 @@ fn step_function(context: &mut Context) -> TokenStream {
     }
 }
 
-fn guess_function(context: &mut Context, n: usize) -> TokenStream {
+fn guess_function(context: &mut Context, n: &Literal) -> TokenStream {
     let body = context.body("guess");
     let (scene_type, step_type) = (context.scene.ty(), context.step.ty());
     let [scene, step] = ["scene", "step"].map(|name| body.argument(name));
@@ -126,9 +128,9 @@ fn guess_function(context: &mut Context, n: usize) -> TokenStream {
     }
 }
 
-fn residual_function(context: &mut Context, n: usize) -> TokenStream {
+fn residual_function(context: &mut Context, n: &Literal) -> TokenStream {
     let assign = |row: usize, value: Expression| {
-        let value = value.tokens;
+        let (row, value) = (whole(row), value.tokens);
         quote!(residual[#row] = #value;)
     };
     let body = context.body_with("residual", assign);
@@ -149,10 +151,10 @@ fn residual_function(context: &mut Context, n: usize) -> TokenStream {
     }
 }
 
-fn jacobian_function(context: &mut Context, solver: &Solver, n: usize) -> TokenStream {
+fn jacobian_function(context: &mut Context, solver: &Solver, n: &Literal) -> TokenStream {
     // Row by row the residual and the entries of its row, as `stage` has ordered them.
     let mut places = Vec::new();
-    for row in 0..n {
+    for row in 0..context.model.n_unknowns() {
         places.push((row, None));
         let entries = solver.pattern.iter().filter(|(r, _)| *r == row);
         places.extend(entries.map(|(r, col)| (*r, Some(*col))));
@@ -160,8 +162,14 @@ fn jacobian_function(context: &mut Context, solver: &Solver, n: usize) -> TokenS
     let assign = |i: usize, value: Expression| {
         let value = value.tokens;
         match places[i] {
-            (row, None) => quote!(residual[#row] = #value;),
-            (row, Some(col)) => quote!(jacobian[#row][#col] = #value;),
+            (row, None) => {
+                let row = whole(row);
+                quote!(residual[#row] = #value;)
+            }
+            (row, Some(col)) => {
+                let (row, col) = (whole(row), whole(col));
+                quote!(jacobian[#row][#col] = #value;)
+            }
         }
     };
     let body = context.body_with("residual_and_jacobian", assign);
@@ -187,10 +195,10 @@ fn jacobian_function(context: &mut Context, solver: &Solver, n: usize) -> TokenS
     }
 }
 
-fn next_function(context: &mut Context, n: usize) -> TokenStream {
+fn next_function(context: &mut Context, n: &Literal) -> TokenStream {
     let body = context.body("next");
     let (scene_type, step_type) = (context.scene.ty(), context.step.ty());
-    let n_states = context.model.n_states();
+    let n_states = whole(context.model.n_states());
     let doc = format!(" The state after the step: {}.", body.cost);
     let [scene, step, unknowns] = ["scene", "step", "unknowns"].map(|name| body.argument(name));
     let (tokens, roots) = (&body.tokens, &body.roots);

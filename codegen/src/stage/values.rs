@@ -55,7 +55,11 @@ impl Values {
                 self.intern(Op::Constant(number))
             }
             _ if coefficient.is_one() => value,
-            _ => self.intern(Op::Sum(vec![(coefficient, value)])),
+            _ if coefficient.is_positive() => self.fraction(coefficient, vec![value], Vec::new()),
+            _ => {
+                let positive = self.scaled(-coefficient, value);
+                self.intern(Op::Sum(vec![(-BigRational::one(), positive)]))
+            }
         }
     }
 

@@ -71,7 +71,8 @@ pub fn solve(solver: &dyn AnySolver, at: &Point<'_>) -> Option<Solution> {
     for _ in 0..MAX_ITERATIONS {
         solver.residual(at, &x, &mut r);
         solver.jacobian(at, &x, &mut j);
-        let size = in_rounding(&r, &term_sizes(&j, &x, &guess, &forcing));
+        let rows = term_sizes(&j, &x, &guess, &forcing);
+        let size = in_rounding(&r, &by_equation(solver, &rows));
         match &best {
             Some((smallest, _)) if size >= *smallest && *smallest < RESIDUAL_BOUND => break,
             Some((smallest, _)) if size >= *smallest => {}
@@ -103,6 +104,18 @@ fn term_sizes(j: &[f64], x: &[f64], guess: &[f64], forcing: &[f64]) -> Vec<f64> 
         .zip(forcing)
         .map(|(row, f)| weigh(row) + f.abs())
         .collect()
+}
+
+/// For each row the largest size in its equation: in a component of a vector equation terms may cancel
+/// exactly, as in ω × Jω of an isotropic body, and leave the rounding of the whole.
+fn by_equation(solver: &dyn AnySolver, rows: &[f64]) -> Vec<f64> {
+    let mut sizes = Vec::with_capacity(rows.len());
+    for equation in solver.solver().equations {
+        let components = &rows[sizes.len()..sizes.len() + equation.len];
+        let largest = components.iter().copied().fold(0.0, f64::max);
+        sizes.extend(std::iter::repeat_n(largest, equation.len));
+    }
+    sizes
 }
 
 /// Largest |rᵢ| / (ε sizeᵢ), infinite if one is not finite.
