@@ -108,13 +108,14 @@ impl Simulate {
             let subtitle = self.subtitle(&plan, outcome.as_ref().ok());
             draw(file, trace, model.description, subtitle)?;
         }
-        let statistics = outcome?;
         if !self.quiet {
-            eprintln!("{}", pace(&plan, self.step, &statistics, elapsed));
-            eprint!("{}", recorded.drift);
+            if let Ok(statistics) = &outcome {
+                eprintln!("{}", pace(&plan, self.step, statistics, elapsed));
+                eprint!("{}", recorded.drift);
+            }
             self.name_files(recorded.rows);
         }
-        Ok(())
+        outcome.map(drop)
     }
 
     fn recorder(&self, model: &'static Catalogued, plan: &Plan) -> Result<Recorder, Failure> {
