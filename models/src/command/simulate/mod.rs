@@ -130,7 +130,7 @@ impl Simulate {
         let trace = self
             .plot
             .is_some()
-            .then(|| Trace::new(header.len() - 1, kept));
+            .then(|| Trace::new(model.description, kept));
         let rows = out.map(|out| Rows::new(out, &header)).transpose()?;
         let drawn = !(to_stdout && io::stdout().is_terminal()) && !self.quiet;
         Ok(Recorder::new(model, plan, self.step, rows, trace, drawn))
@@ -195,7 +195,7 @@ fn draw(
         title: description.name.to_owned(),
         subtitle,
         time: format!("t{unit}"),
-        panels: trace.into_panels(description),
+        panels: trace.into_panels(),
     };
     let text = plot::svg(&figure).map_err(Failure::Run)?;
     Ok(file.write_all(text.as_bytes())?)
