@@ -6,6 +6,10 @@
 use crate::diagnostic::Range;
 use num_rational::BigRational;
 
+/// Most rows or columns of a matrix, and most scalar unknowns of a solver: nalgebra has static sizes
+/// up to 127, and a dense solve of that size takes a millisecond.
+pub const LARGEST_DIMENSION: usize = 127;
+
 /// An identifier in its two spellings.
 ///
 /// `ω` and `omega` are one name: [`Name::ascii`] decides equality and becomes the Rust identifier,

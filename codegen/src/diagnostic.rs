@@ -4,6 +4,7 @@
 //! A message says what was found and what was expected, in lower case and without a full stop.
 
 use proc_macro2::Span;
+use std::fmt;
 
 /// A stretch of the model file, from its first token to its last.
 #[derive(Clone, Copy, Debug)]
@@ -104,6 +105,21 @@ impl Errors {
         } else {
             Err(self)
         }
+    }
+}
+
+/// `LINE:COLUMN: message` and `  help: …` of each mistake, in file order. Both count from 1.
+impl fmt::Display for Errors {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for diagnostic in self.clone().into_sorted() {
+            let start = diagnostic.range.start.start();
+            let (line, column) = (start.line, start.column + 1);
+            writeln!(f, "{line}:{column}: {}", diagnostic.message)?;
+            if let Some(help) = diagnostic.help {
+                writeln!(f, "  help: {help}")?;
+            }
+        }
+        Ok(())
     }
 }
 

@@ -1,236 +1,136 @@
-//! Types of block matrices and of components.
+//! Types of `[a, b]` and `[[a, b], [c, d]]`.
 
-use super::types::ComponentUnit;
 use super::types::Type;
 use super::typing::Typing;
 use crate::ast::ExprId;
+use crate::ast::LARGEST_DIMENSION;
 use crate::diagnostic::Range;
 use crate::model::Op;
 use crate::model::Shape;
-use num_traits::ToPrimitive;
+
+/// What a block says about its size.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Size {
+    /// Its own.
+    Fixed(Shape),
+    /// Any square: a multiple of `I`.
+    Square,
+    /// Any: a literal 0.
+    Any,
+}
 
 impl Typing<'_> {
-    /// `[[a, b], [c, d]]`; a stack is a column of blocks.
+    /// A matrix of blocks; all rows have as many.
     pub(super) fn blocks(&mut self, rows: Vec<Vec<ExprId>>, range: Range) -> ExprId {
-        if rows
-            .iter()
-            .flatten()
-            .any(|&id| matches!(self.ty(id), Type::Poison))
-        {
-            return self.poison(range);
+        let mut sizes = Vec::new();
+        for row in &rows {
+            let mut list = Vec::new();
+            for &block in row {
+                list.push(match self.ty(block) {
+                    Type::Poison => return self.poison(range),
+                    Type::Multiple(_) => Size::Square,
+                    Type::Matrix(..) if self.is_zero(block) => Size::Any,
+                    Type::Matrix(shape, _) => Size::Fixed(*shape),
+                });
+            }
+            sizes.push(list);
         }
-        let cols = rows.first().map_or(0, Vec::len);
-        if cols == 0 {
-            return self.fail(range, "expected at least one entry between the brackets");
-        }
-        if let Some(row) = rows.iter().find(|row| row.len() != cols) {
-            let message = format!("this row has {} blocks, the first one {cols}", row.len());
-            let at = row.first().map_or(range, |&first| self.range(first));
-            return self.fail(at, message);
-        }
-        let (heights, widths) = match self.block_sizes(&rows) {
-            Ok(sizes) => sizes,
-            Err((at, message)) => return self.fail(at, message),
+        let (heights, widths) = match self.extents(&rows, &sizes) {
+            Ok(extents) => extents,
+            Err(poison) => return poison,
         };
         let shape = Shape {
             rows: heights.iter().sum(),
             cols: widths.iter().sum(),
         };
-        self.count(shape.len(), range);
+        if shape.rows.max(shape.cols) > LARGEST_DIMENSION {
+            let message = format!("expected at most {LARGEST_DIMENSION} rows, found a {shape}");
+            return self.fail(range, message);
+        }
         if !self.within_bounds() {
             return self.poison(range);
         }
-        let units = self.block_units(&rows, &heights, &widths);
-        self.push(
-            Op::Blocks {
-                rows,
-                heights,
-                widths,
-            },
-            Type::Matrix(shape, units),
-            range,
-        )
+        let mut units = vec![None; shape.len()];
+        let mut top = 0;
+        for (row, &height) in rows.iter().zip(&heights) {
+            let mut left = 0;
+            for (&block, &width) in row.iter().zip(&widths) {
+                let size = Shape {
+                    rows: height,
+                    cols: width,
+                };
+                for (i, unit) in self.spread(self.ty(block), size).into_iter().enumerate() {
+                    units[(top + i / width) * shape.cols + left + i % width] = unit;
+                }
+                left += width;
+            }
+            top += height;
+        }
+        let op = Op::Blocks {
+            rows,
+            heights,
+            widths,
+        };
+        self.push(op, Type::Matrix(shape, units), range)
     }
 
-    /// Heights of the block rows and widths of the block columns. A literal 0 fits any size, a
-    /// multiple of I any square one.
-    fn block_sizes(
-        &self,
+    /// Height of each block row and width of each block column.
+    fn extents(
+        &mut self,
         rows: &[Vec<ExprId>],
-    ) -> Result<(Vec<usize>, Vec<usize>), (Range, String)> {
-        let mut heights = vec![None; rows.len()];
-        let mut widths = vec![None; rows[0].len()];
-        for (i, row) in rows.iter().enumerate() {
-            for (j, &block) in row.iter().enumerate() {
-                let Some(shape) = self.ty(block).shape().filter(|_| !self.is_zero(block)) else {
-                    continue;
-                };
+        sizes: &[Vec<Size>],
+    ) -> Result<(Vec<usize>, Vec<usize>), ExprId> {
+        let mut heights = vec![None; sizes.len()];
+        let mut widths = vec![None; sizes[0].len()];
+        for (i, row) in sizes.iter().enumerate() {
+            for (j, size) in row.iter().enumerate() {
+                let Size::Fixed(shape) = *size else { continue };
                 let height = *heights[i].get_or_insert(shape.rows);
                 let width = *widths[j].get_or_insert(shape.cols);
-                if height != shape.rows || width != shape.cols {
-                    let expected = Shape {
-                        rows: height,
-                        cols: width,
-                    };
-                    let message =
-                        format!("this block is a {shape}, expected a {expected} beside the others");
-                    return Err((self.range(block), message));
+                if height != shape.rows {
+                    let message = format!("a {shape} in a row of blocks {height} high");
+                    return Err(self.fail(self.range(rows[i][j]), message));
+                }
+                if width != shape.cols {
+                    let message = format!("a {shape} in a column of blocks {width} wide");
+                    return Err(self.fail(self.range(rows[i][j]), message));
                 }
             }
         }
-        self.size_identities(rows, &mut heights, &mut widths)?;
-        let settled =
-            |sizes: Vec<Option<usize>>| sizes.into_iter().map(|s| s.unwrap_or(1)).collect();
-        Ok((settled(heights), settled(widths)))
-    }
-
-    /// Spreads sizes over multiples of I, which are square, until nothing changes.
-    fn size_identities(
-        &self,
-        rows: &[Vec<ExprId>],
-        heights: &mut [Option<usize>],
-        widths: &mut [Option<usize>],
-    ) -> Result<(), (Range, String)> {
-        let places = || (0..rows.len()).flat_map(|i| (0..rows[i].len()).map(move |j| (i, j)));
-        let identities: Vec<_> = places()
-            .filter(|&(i, j)| matches!(self.ty(rows[i][j]), Type::Multiple(_)))
-            .collect();
-        for _ in 0..identities.len() {
-            for &(i, j) in &identities {
-                let size = heights[i].or(widths[j]);
-                heights[i] = size;
-                widths[j] = widths[j].or(size);
-            }
-        }
-        for (i, j) in identities {
-            let at = self.range(rows[i][j]);
-            match (heights[i], widths[j]) {
-                (Some(height), Some(width)) if height == width => {}
-                (Some(rows), Some(cols)) => {
-                    let place = Shape { rows, cols };
-                    return Err((
-                        at,
-                        format!("`I` stands in the place of a {place}, expected a square one"),
-                    ));
-                }
-                _ => return Err((at, "the size of `I` cannot be told here".to_owned())),
-            }
-        }
-        Ok(())
-    }
-
-    fn block_units(
-        &self,
-        rows: &[Vec<ExprId>],
-        heights: &[usize],
-        widths: &[usize],
-    ) -> Vec<ComponentUnit> {
-        let mut units = Vec::new();
-        for (row, &height) in rows.iter().zip(heights) {
-            let spread: Vec<_> = row
-                .iter()
-                .zip(widths)
-                .map(|(&block, &width)| {
-                    (
-                        self.spread(
-                            self.ty(block),
-                            Shape {
-                                rows: height,
-                                cols: width,
-                            },
-                        ),
-                        width,
-                    )
-                })
-                .collect();
-            for i in 0..height {
-                for (block, width) in &spread {
-                    units.extend_from_slice(&block[i * width..(i + 1) * width]);
-                }
-            }
-        }
-        units
-    }
-
-    /// `a.x`, `a.y`, `a.z`
-    pub(super) fn field(&mut self, a: ExprId, index: usize, range: Range) -> ExprId {
-        let (name, valid) = match self.ty(a) {
-            Type::Poison => return self.poison(range),
-            ty => (
-                ty.noun(),
-                ty.shape()
-                    .filter(|s| s.cols == 1 && s.rows > 1)
-                    .map(|s| s.rows),
-            ),
-        };
-        let letter = ["x", "y", "z"][index - 1];
-        match valid {
-            Some(n) if index <= n => self.pick(a, index - 1, 0, range),
-            Some(_) => {
-                let message = format!("`.{letter}` of {name}, which ends with `.y`");
-                self.fail(range, message)
-            }
-            None => self.fail(range, format!("`.{letter}` of {name}, expected a vector")),
-        }
-    }
-
-    /// `a(i)`, `a(i, j)`, counted from 1.
-    pub(super) fn component(&mut self, a: ExprId, indices: &[ExprId], range: Range) -> ExprId {
-        let any_poison = |id: &ExprId| matches!(self.ty(*id), Type::Poison);
-        if any_poison(&a) || indices.iter().any(any_poison) {
-            return self.poison(range);
-        }
-        let noun = self.ty(a).noun();
-        let Some(shape) = self.ty(a).shape().filter(|s| !s.is_scalar()) else {
-            let message = format!("this is {noun}, which has no components");
-            let help = "write * between two factors";
-            return self.fail_with_help(range, message, help);
-        };
-        let is_vector = shape.cols == 1 || shape.rows == 1;
-        let counts = match (indices.len(), is_vector) {
-            (1, true) => vec![shape.len()],
-            (2, _) => vec![shape.rows, shape.cols],
-            (found, _) => {
-                let expected = if is_vector {
-                    "one index"
-                } else {
-                    "two indices, row and column"
+        settle(sizes, &mut heights, &mut widths);
+        for (i, row) in sizes.iter().enumerate() {
+            for (j, size) in row.iter().enumerate() {
+                let message = match (size, heights[i], widths[j]) {
+                    (Size::Square, Some(h), Some(w)) if h != w => {
+                        format!("a multiple of `I` in a block of size {h}×{w}")
+                    }
+                    (Size::Square, None, _) | (Size::Square, _, None) => {
+                        "the size of `I` is not known here".to_owned()
+                    }
+                    _ => continue,
                 };
-                return self.fail(range, format!("{noun} takes {expected}, found {found}"));
-            }
-        };
-        let mut positions = Vec::with_capacity(2);
-        for (&index, n) in indices.iter().zip(counts) {
-            match self.index(index, n) {
-                Some(position) => positions.push(position),
-                None => return self.poison(range),
+                return Err(self.fail(self.range(rows[i][j]), message));
             }
         }
-        match positions.as_slice() {
-            [i] => self.pick(a, i / shape.cols, i % shape.cols, range),
-            [i, j] => self.pick(a, *i, *j, range),
-            _ => self.poison(range),
-        }
+        // What is left open has only zeros.
+        let close = |list: Vec<Option<usize>>| list.into_iter().map(|n| n.unwrap_or(1)).collect();
+        Ok((close(heights), close(widths)))
     }
+}
 
-    /// A constant index from 1 to `n`, counted from 0.
-    fn index(&mut self, index: ExprId, n: usize) -> Option<usize> {
-        let value = self.fact(index).constant.filter(|c| c.is_integer());
-        let position = value
-            .and_then(|c| c.to_usize())
-            .filter(|i| (1..=n).contains(i));
-        if position.is_none() {
-            let message = format!("expected a whole number from 1 to {n}");
-            self.errors.push(self.range(index), message);
+/// Carries known heights over to widths, and back, through the square blocks.
+fn settle(sizes: &[Vec<Size>], heights: &mut [Option<usize>], widths: &mut [Option<usize>]) {
+    let mut changed = true;
+    while changed {
+        changed = false;
+        for (i, row) in sizes.iter().enumerate() {
+            for (j, size) in row.iter().enumerate() {
+                if *size == Size::Square && heights[i].is_some() != widths[j].is_some() {
+                    heights[i] = heights[i].or(widths[j]);
+                    widths[j] = heights[i];
+                    changed = true;
+                }
+            }
         }
-        position.map(|i| i - 1)
-    }
-
-    fn pick(&mut self, a: ExprId, row: usize, col: usize, range: Range) -> ExprId {
-        let unit = match self.ty(a) {
-            Type::Matrix(shape, units) => units[row * shape.cols + col],
-            Type::Poison | Type::Multiple(_) => None,
-        };
-        self.push(Op::Component(a, row, col), Type::scalar(unit), range)
     }
 }

@@ -1,152 +1,234 @@
-//! Which names may stand in which statement.
+//! Which names may stand where.
+//!
+//! A `let` is text: what it may contain depends on where it is used. So the names are followed from
+//! each statement through the `let`s.
 
+use super::statements::Statements;
 use super::symbols::Builtin;
 use super::symbols::Kind;
-use super::typing::Typing;
+use super::symbols::Symbols;
+use crate::ast;
+use crate::ast::Ast;
 use crate::ast::ExprId;
+use crate::ast::ExprKind;
 use crate::ast::Level;
-use crate::diagnostic::Range;
-use crate::model::Op;
-use std::collections::BTreeSet;
+use crate::ast::Name;
+use crate::ast::OutputKind;
+use crate::diagnostic::Errors;
 
-/// A statement with an expression in it.
+/// Complains about names that may not stand where they do.
+pub(super) fn check_all<'a>(
+    ast: &'a Ast,
+    statements: &Statements<'a>,
+    symbols: &Symbols<'a>,
+    errors: &mut Errors,
+) {
+    let mut check = |context, roots: Vec<Root<'a>>| {
+        check(&ast.exprs, symbols, context, roots, errors);
+    };
+    let declared = |kind| {
+        let values = symbols.of_kind(kind);
+        let roots = values.filter_map(|(_, s)| Some((Some(s.name), s.value?)));
+        roots.collect::<Vec<_>>()
+    };
+    check(Context::Default, declared(Kind::Parameter));
+    check(Context::Guess, declared(Kind::Unknown));
+    if let Some((list, _)) = statements.start {
+        let roots = list.iter().map(|a| (Some(&a.name), a.value));
+        check(Context::Start, roots.collect());
+    }
+    if let Some((list, _)) = statements.flow {
+        let roots = list.iter().flat_map(|e| [(None, e.lhs), (None, e.rhs)]);
+        check(Context::Flow, roots.collect());
+    }
+    check_outputs(ast, symbols, Context::Output, errors);
+}
+
+/// The same for invariants and observables, which stand in `context`.
+pub(super) fn check_outputs<'a>(
+    ast: &'a Ast,
+    symbols: &Symbols<'a>,
+    context: Context,
+    errors: &mut Errors,
+) {
+    let outputs = symbols.of_kind(Kind::Output(OutputKind::Observable));
+    let roots = outputs.filter_map(|(_, s)| Some((Some(s.name), s.value?)));
+    check(&ast.exprs, symbols, context, roots.collect(), errors);
+}
+
+/// An expression and the name that it gives a value to, if there is one.
+type Root<'a> = (Option<&'a Name>, ExprId);
+
+/// A statement that may not contain all names. The residual, the update and claims may.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Context {
     Default,
     Guess,
     Start,
     Flow,
-    Residual,
-    Update,
     Output,
-    Claim,
+    /// On the command line.
     Value,
 }
 
 impl Context {
-    /// The statement in words.
-    fn noun(self) -> &'static str {
-        match self {
-            Context::Default => "the default of a parameter",
-            Context::Guess => "a first guess",
-            Context::Start => "a start value",
+    /// The statement in words, `name` being what it gives a value to.
+    fn noun(self, name: Option<&Name>) -> String {
+        let noun = match self {
+            Context::Default => "the default",
+            Context::Guess => "the first guess",
+            Context::Start => "the start value",
             Context::Flow => "the flow",
-            Context::Residual => "the residual",
-            Context::Update => "an update",
-            Context::Output => "an invariant or observable",
-            Context::Claim => "a claim",
-            Context::Value => "a value",
+            Context::Output => "the output",
+            Context::Value => return "the value".to_owned(),
+        };
+        match name {
+            Some(name) if self == Context::Output => format!("{noun} `{}`", name.display),
+            Some(name) => format!("{noun} of `{}`", name.display),
+            None => noun.to_owned(),
         }
     }
 
-    /// What its expressions may contain, in words.
-    fn contents(self) -> &'static str {
+    /// What it may contain, in words.
+    fn allowed(self) -> &'static str {
         match self {
-            Context::Default => "numbers only; what depends on other parameters can be a `let`",
-            Context::Guess => "parameters, h, t and the known states",
-            Context::Start | Context::Value => "parameters only",
-            Context::Flow => "parameters, t, states without a time level and their rates der(x)",
-            Context::Residual | Context::Update | Context::Claim => "any name",
-            Context::Output => "parameters, h, t and states without a time level",
+            Context::Default => "it may contain numbers and constant `let`s only",
+            Context::Guess => "it may contain parameters, h, t and states at step k",
+            Context::Start | Context::Value => "it may contain parameters only",
+            Context::Flow => "it may contain parameters, t, states and rates, without time levels",
+            Context::Output => "it may contain parameters, h, t and states, without time levels",
         }
     }
 
-    fn admits(self, op: &Op) -> bool {
-        let discrete = matches!(self, Context::Residual | Context::Update | Context::Claim);
-        match op {
-            Op::Parameter(_) => self != Context::Default,
-            Op::StepSize => discrete || matches!(self, Context::Guess | Context::Output),
-            Op::State(_, Level::Now) | Op::Time(Level::Now) => {
-                discrete || matches!(self, Context::Guess | Context::Output | Context::Flow)
-            }
-            Op::State(..) | Op::Time(_) | Op::Increment(_) | Op::Unknown(_) => discrete,
-            Op::Rate(_) => discrete || self == Context::Flow,
-            Op::Number(_)
-            | Op::Pi
-            | Op::Identity
-            | Op::Neg(_)
-            | Op::Add(..)
-            | Op::Sub(..)
-            | Op::Mul(..)
-            | Op::Div(..)
-            | Op::Pow(..)
-            | Op::Transpose(_)
-            | Op::Component(..)
-            | Op::Blocks { .. }
-            | Op::Call(..) => true,
+    fn allows(self, mention: Mention) -> bool {
+        use Mention::*;
+        match self {
+            Context::Default => false,
+            Context::Guess => matches!(
+                mention,
+                Parameter
+                    | StepSize
+                    | Time(None | Some(Level::Now))
+                    | State(None | Some(Level::Now))
+            ),
+            Context::Start | Context::Value => mention == Parameter,
+            Context::Flow => matches!(mention, Parameter | Rate | Time(None) | State(None)),
+            Context::Output => matches!(mention, Parameter | StepSize | Time(None) | State(None)),
         }
     }
 }
 
-impl Typing<'_> {
-    /// Types `root` and checks that `context` admits all that is in it, through `let`s too.
-    pub(super) fn expression_in(&mut self, root: ExprId, context: Context) -> ExprId {
-        let typed = self.expression(root);
-        for id in self.reachable(typed) {
-            let expr = &self.exprs[id.index()];
-            if context.admits(&expr.op) {
+/// A name in an expression.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Mention {
+    Parameter,
+    State(Option<Level>),
+    Increment,
+    Rate,
+    Unknown,
+    Time(Option<Level>),
+    StepSize,
+}
+
+/// Looks for names that may not stand in `context`.
+fn check<'a>(
+    source: &'a [ast::Expr],
+    symbols: &Symbols<'a>,
+    context: Context,
+    roots: Vec<Root<'a>>,
+    errors: &mut Errors,
+) {
+    // What has been looked at is fine or complained about already.
+    let mut seen = vec![false; source.len()];
+    for (owner, root) in roots {
+        let mut pending: Vec<(ExprId, Option<&Name>)> = vec![(root, None)];
+        while let Some((id, through)) = pending.pop() {
+            if std::mem::replace(&mut seen[id.index()], true) {
                 continue;
             }
-            let (range, what) = (expr.range, self.what(&expr.op));
-            let through = self.through(root, range);
-            let message = format!("{} cannot contain {what}{through}", context.noun());
-            let help = format!("it may contain {}", context.contents());
-            self.errors.push_with_help(range, message, help);
-        }
-        typed
-    }
-
-    /// `id` and all it is made of, in file order.
-    pub(super) fn reachable(&self, id: ExprId) -> BTreeSet<ExprId> {
-        let mut seen = BTreeSet::new();
-        let mut open = vec![id];
-        while let Some(id) = open.pop() {
-            if seen.insert(id) {
-                open.extend(self.exprs[id.index()].op.operands());
+            let expr = &source[id.index()];
+            pending.extend(expr.kind.operands().into_iter().map(|id| (id, through)));
+            if let Some((name, value)) = abbreviation(&expr.kind, symbols) {
+                pending.push((value, Some(name)));
+            }
+            let Some(mention) = mention(&expr.kind, symbols) else {
+                continue;
+            };
+            if !context.allows(mention) {
+                let (noun, shown) = (context.noun(owner), shown(&expr.kind));
+                let through = through.map_or_else(String::new, |name| {
+                    format!(", as it does through `let {}`", name.display)
+                });
+                let message = format!("{noun} cannot contain `{shown}`{through}");
+                errors.push_with_help(expr.range, message, context.allowed());
             }
         }
-        seen
     }
+}
 
-    /// The operation in words.
-    fn what(&self, op: &Op) -> String {
-        let name = |kind, index: usize| {
-            let found = self.symbols.of_kind(kind).find(|(_, s)| s.index == index);
-            found.map_or(String::new(), |(_, s)| s.name.display.clone())
-        };
-        let state = |index: usize| name(Kind::State, index);
-        match op {
-            Op::Parameter(i) => format!("the parameter `{}`", name(Kind::Parameter, *i)),
-            Op::Unknown(i) => format!("the unknown `{}`", name(Kind::Unknown, *i)),
-            Op::State(i, Level::Next) => format!("`{}[k+1]`", state(*i)),
-            Op::State(i, Level::Half) => format!("`{}[k+1/2]`", state(*i)),
-            Op::State(i, _) => format!("the state `{}`", state(*i)),
-            Op::Increment(i) => format!("`Δ{}`", state(*i)),
-            Op::Rate(i) => format!("`der({})`", state(*i)),
-            Op::Time(Level::Now) => format!("{} `t`", Builtin::Time.noun()),
-            Op::Time(_) => "another time than `t`".to_owned(),
-            _ => format!("{} `h`", Builtin::StepSize.noun()),
-        }
+/// The `let` that an expression names, and its value.
+fn abbreviation<'a>(kind: &ExprKind, symbols: &Symbols<'a>) -> Option<(&'a Name, ExprId)> {
+    let (ExprKind::Name(name, _) | ExprKind::Call(name, _)) = kind else {
+        return None;
+    };
+    let symbol = &symbols.list[symbols.find(name)?];
+    let value = symbol.value.filter(|_| symbol.kind == Kind::Let)?;
+    Some((symbol.name, value))
+}
+
+/// What an expression names, `let`s and constants aside.
+fn mention(kind: &ExprKind, symbols: &Symbols) -> Option<Mention> {
+    let (name, level) = match kind {
+        ExprKind::Name(name, level) => (name, *level),
+        ExprKind::Call(name, _) => (name, None),
+        ExprKind::Increment(_) => return Some(Mention::Increment),
+        ExprKind::Rate(_) => return Some(Mention::Rate),
+        ExprKind::Number(_)
+        | ExprKind::Neg(_)
+        | ExprKind::Binary(..)
+        | ExprKind::Transpose(_)
+        | ExprKind::Field(..)
+        | ExprKind::Component(..)
+        | ExprKind::Stack(_)
+        | ExprKind::Blocks(_) => return None,
+    };
+    match Builtin::named(&name.ascii) {
+        Some(Builtin::StepSize) => return Some(Mention::StepSize),
+        Some(Builtin::Time) => return Some(Mention::Time(level)),
+        Some(_) => return None,
+        None => {}
     }
+    match symbols.list[symbols.find(name)?].kind {
+        Kind::Parameter => Some(Mention::Parameter),
+        Kind::State => Some(Mention::State(level)),
+        Kind::Unknown => Some(Mention::Unknown),
+        Kind::Let | Kind::Output(_) => None,
+    }
+}
 
-    /// Where the expression at `range` is not written in `root` itself: the `let` it stands in.
-    fn through(&self, root: ExprId, range: Range) -> String {
-        let written = |id: ExprId| self.source[id.index()].range;
-        let position = |at: proc_macro2::LineColumn| (at.line, at.column);
-        let start = position(range.start.start());
-        let inside = |outer: Range| {
-            position(outer.start.start()) <= start && start <= position(outer.end.end())
-        };
-        if inside(written(root)) {
-            return String::new();
+/// The name as written.
+fn shown(kind: &ExprKind) -> String {
+    match kind {
+        ExprKind::Name(name, level) => {
+            let level = match level {
+                None => "",
+                Some(Level::Previous) => "[k-1]",
+                Some(Level::Now) => "[k]",
+                Some(Level::Half) => "[k+1/2]",
+                Some(Level::Next) => "[k+1]",
+            };
+            format!("{}{level}", name.display)
         }
-        let holder = self
-            .symbols
-            .list
-            .iter()
-            .find(|s| s.value.is_some_and(|v| inside(written(v))));
-        holder.map_or(String::new(), |s| {
-            format!(", here through `{}`", s.name.display)
-        })
+        ExprKind::Call(name, _) => name.display.clone(),
+        ExprKind::Increment(name) => format!("Δ{}", name.display),
+        ExprKind::Rate(name) => format!("der({})", name.display),
+        ExprKind::Number(_)
+        | ExprKind::Neg(_)
+        | ExprKind::Binary(..)
+        | ExprKind::Transpose(_)
+        | ExprKind::Field(..)
+        | ExprKind::Component(..)
+        | ExprKind::Stack(_)
+        | ExprKind::Blocks(_) => String::new(),
     }
 }

@@ -1,11 +1,11 @@
 //! Types of function calls.
 
-use super::symbols::Builtin;
 use super::types::ComponentUnit;
 use super::types::Type;
+use super::types::diagonal;
 use super::typing::Typing;
 use crate::ast::ExprId;
-use crate::ast::Name;
+use crate::ast::LARGEST_DIMENSION;
 use crate::diagnostic::Range;
 use crate::function::Function;
 use crate::function::TABLE;
@@ -14,74 +14,48 @@ use crate::model::Shape;
 use crate::unit::Unit;
 use num_rational::Ratio;
 
-/// Largest square matrix that `det` and `inv` take.
-const LARGEST_INVERSE: usize = 3;
+/// Largest order of `stumpff`. The equations of rigid bodies need up to 3, their derivatives a few more.
+const LARGEST_STUMPFF: i64 = 20;
 
-/// The call under inspection.
-struct Call<'c> {
-    function: Function,
-    arguments: &'c [ExprId],
-    range: Range,
-}
+/// 2×2
+const PLANE: Shape = Shape { rows: 2, cols: 2 };
 
-/// A mistake is already reported.
-struct Reported;
+/// 3×3
+const SPACE: Shape = Shape { rows: 3, cols: 3 };
 
 impl Typing<'_> {
-    /// `f(a, b)`, or `x(i)` for a declared `x`.
-    pub(super) fn call(&mut self, name: &Name, arguments: Vec<ExprId>, range: Range) -> ExprId {
-        if let Some(function) = Function::named(&name.ascii) {
-            return self.function(Call {
-                function,
-                arguments: &arguments,
-                range,
-            });
+    /// `f(a, b)`
+    pub(super) fn function(
+        &mut self,
+        function: Function,
+        arguments: Vec<ExprId>,
+        range: Range,
+    ) -> ExprId {
+        let takes = TABLE.iter().find(|row| row.1 == function).map(|row| row.2);
+        let found = arguments.len();
+        if let Some(n) = takes.filter(|&n| n != usize::MAX && n != found) {
+            let name = function.name();
+            let plural = if n == 1 { "" } else { "s" };
+            let message = format!("{name} takes {n} argument{plural}, found {found}");
+            return self.fail(range, message);
         }
-        if self.symbols.find(name).is_some() || Builtin::named(&name.ascii).is_some() {
-            let of = self.name(name, None, name.range);
-            return self.component(of, &arguments, range);
+        let poisoned = |id: &ExprId| matches!(self.ty(*id), Type::Poison);
+        if arguments.iter().any(poisoned) {
+            return self.poison(range);
         }
-        self.unknown_function(name, range)
-    }
-
-    fn function(&mut self, call: Call) -> ExprId {
-        let expected = TABLE
-            .iter()
-            .find(|row| row.1 == call.function)
-            .map_or(0, |row| row.2);
-        let found = call.arguments.len();
-        if expected != found && (expected != usize::MAX || found == 0) {
-            let name = call.function.name();
-            let takes = match expected {
-                1 => "one argument".to_owned(),
-                usize::MAX => "at least one argument".to_owned(),
-                n => format!("{n} arguments"),
-            };
-            return self.fail(call.range, format!("`{name}` takes {takes}, found {found}"));
-        }
-        if call
-            .arguments
-            .iter()
-            .any(|&a| matches!(self.ty(a), Type::Poison))
-        {
-            return self.poison(call.range);
-        }
-        match self.type_of_call(&call) {
-            Ok(ty) => self.push(
-                Op::Call(call.function, call.arguments.to_vec()),
-                ty,
-                call.range,
-            ),
-            Err(Reported) => self.poison(call.range),
+        match self.call_type(function, &arguments, range) {
+            Some(ty) => self.push(Op::Call(function, arguments), ty, range),
+            None => self.poison(range),
         }
     }
 
-    fn type_of_call(&mut self, call: &Call) -> Result<Type, Reported> {
-        let one = Type::scalar(Some(Unit::ONE));
-        let first = call.arguments[0];
-        match call.function {
-            Function::Exp if !self.is_scalar(first) => self.rotation(call),
-            Function::Cay => self.rotation(call),
+    /// The type of a call; none after a complaint.
+    fn call_type(&mut self, function: Function, args: &[ExprId], range: Range) -> Option<Type> {
+        let one = Some(Unit::ONE);
+        let is_matrix = self.ty(args[0]).shape().is_some_and(|s| !s.is_scalar());
+        Some(match function {
+            Function::Exp if is_matrix => self.rotation(args[0])?,
+            Function::Cay => self.rotation(args[0])?,
             Function::Sin
             | Function::Cos
             | Function::Tan
@@ -94,234 +68,227 @@ impl Typing<'_> {
             | Function::Exp
             | Function::Log
             | Function::Sinc
-            | Function::Cosc => self.number_argument(call, first).map(|()| one),
-            Function::Stumpff => {
-                self.number_argument(call, first)?;
-                self.number_argument(call, call.arguments[1])?;
-                Ok(one)
+            | Function::Cosc => {
+                self.dimensionless_scalar(args[0])?;
+                Type::scalar(one)
             }
             Function::Atan2 => {
-                let units = [
-                    self.scalar(call, first)?,
-                    self.scalar(call, call.arguments[1])?,
-                ];
-                self.one_unit(&units, call.range, "the arguments of `atan2`");
-                Ok(one)
+                let units = [self.scalar(args[0])?, self.scalar(args[1])?];
+                self.one_unit(&units, range, "the arguments of atan2");
+                Type::scalar(one)
             }
             Function::Sqrt => {
-                let unit = self.scalar(call, first)?;
-                Ok(Type::scalar(self.raised(unit, Ratio::new(1, 2))))
+                let unit = self.scalar(args[0])?;
+                Type::scalar(self.raised(unit, Ratio::new_raw(1, 2)))
             }
-            Function::Abs => Ok(Type::scalar(self.scalar(call, first)?)),
-            Function::Sign => self.scalar(call, first).map(|_| one),
+            Function::Abs => Type::scalar(self.scalar(args[0])?),
+            Function::Sign => {
+                self.scalar(args[0])?;
+                Type::scalar(one)
+            }
+            Function::Stumpff => {
+                self.stumpff_order(args[0])?;
+                self.dimensionless_scalar(args[1])?;
+                Type::scalar(one)
+            }
             Function::Norm => {
-                let (_, units) = self.vector(call, first, None)?;
-                let unit = self.one_unit(&units, call.range, "the components of this vector");
-                Ok(Type::scalar(unit))
+                let (_, units) = self.vector(args[0])?;
+                Type::scalar(self.one_unit(&units, range, "the components of this vector"))
             }
-            Function::Dot => {
-                let (n, left) = self.vector(call, first, None)?;
-                let (_, right) = self.vector(call, call.arguments[1], Some(n))?;
-                let terms: Vec<_> = (0..n).map(|i| self.times(left[i], right[i])).collect();
-                Ok(Type::scalar(self.one_unit(
-                    &terms,
-                    call.range,
-                    "the terms of this product",
-                )))
-            }
-            Function::Cross => self.cross(call),
-            Function::Skew => self.skew(call),
-            Function::Vee => self.vee(call),
+            Function::Dot => self.dot(args, range)?,
+            Function::Cross => self.cross(args, range)?,
+            Function::Skew => self.skew(args[0])?,
+            Function::Vee => self.vee(args[0], range)?,
             Function::Rx | Function::Ry | Function::Rz => {
-                self.number_argument(call, first)?;
-                Ok(Type::uniform(Shape { rows: 3, cols: 3 }, Some(Unit::ONE)))
+                self.dimensionless_scalar(args[0])?;
+                Type::uniform(SPACE, one)
             }
-            Function::Diag => self.diag(call),
+            Function::Diag => self.diag(args, range)?,
             Function::Trace => {
-                let (n, units) = self.square(call, first, usize::MAX)?;
-                let diagonal: Vec<_> = (0..n).map(|i| units[i * n + i]).collect();
-                Ok(Type::scalar(self.one_unit(
-                    &diagonal,
-                    call.range,
-                    "the terms of this trace",
-                )))
+                let (n, units) = self.square(args[0], usize::MAX)?;
+                let diagonal: Vec<_> = (0..n).map(|i| units[i * (n + 1)]).collect();
+                Type::scalar(self.one_unit(&diagonal, range, "the diagonal of this matrix"))
             }
-            Function::Det => self.determinant(call),
-            Function::Inv => self.inverse(call),
-        }
-    }
-
-    fn is_scalar(&self, id: ExprId) -> bool {
-        self.ty(id).shape().is_some_and(Shape::is_scalar)
-    }
-
-    fn wrong_shape(&mut self, call: &Call, argument: ExprId, expected: &str) -> Reported {
-        let found = self.ty(argument).noun();
-        let message = format!("`{}` takes {expected}, found {found}", call.function.name());
-        self.errors.push(self.range(argument), message);
-        Reported
-    }
-
-    /// The unit of a scalar argument.
-    fn scalar(&mut self, call: &Call, argument: ExprId) -> Result<ComponentUnit, Reported> {
-        match self.ty(argument) {
-            Type::Matrix(shape, units) if shape.is_scalar() => Ok(units[0]),
-            _ => Err(self.wrong_shape(call, argument, "a scalar")),
-        }
-    }
-
-    /// A scalar argument without a unit.
-    fn number_argument(&mut self, call: &Call, argument: ExprId) -> Result<(), Reported> {
-        if let Some(unit) = self.scalar(call, argument)?.filter(|unit| !unit.is_one()) {
-            let name = call.function.name();
-            let message = format!("`{name}` takes a number without a unit, found {unit}");
-            self.unit_error(self.range(argument), message);
-        }
-        Ok(())
-    }
-
-    /// Length and units of a vector argument, of length `n` if one is asked for.
-    fn vector(
-        &mut self,
-        call: &Call,
-        argument: ExprId,
-        n: Option<usize>,
-    ) -> Result<(usize, Vec<ComponentUnit>), Reported> {
-        match self.ty(argument) {
-            Type::Matrix(shape, units) if shape.cols == 1 && n.is_none_or(|n| n == shape.rows) => {
-                Ok((shape.rows, units.clone()))
+            Function::Det => {
+                let (n, units) = self.square(args[0], 3)?;
+                Type::scalar(self.determinant(n, &units, range))
             }
-            _ => {
-                let expected =
-                    n.map_or("a vector".to_owned(), |n| format!("a {}", Shape::vector(n)));
-                Err(self.wrong_shape(call, argument, &expected))
-            }
+            Function::Inv => self.inverse(args[0], range)?,
+        })
+    }
+
+    fn wrong<T>(&mut self, id: ExprId, expected: &str) -> Option<T> {
+        let message = format!("expected {expected}, found {}", self.ty(id).noun());
+        self.errors.push(self.range(id), message);
+        None
+    }
+
+    fn scalar(&mut self, id: ExprId) -> Option<ComponentUnit> {
+        match self.ty(id) {
+            Type::Matrix(shape, units) if shape.is_scalar() => Some(units[0]),
+            _ => self.wrong(id, "a scalar"),
         }
     }
 
-    /// Rows and units of a square argument.
-    fn square(
-        &mut self,
-        call: &Call,
-        argument: ExprId,
-        largest: usize,
-    ) -> Result<(usize, Vec<ComponentUnit>), Reported> {
-        match self.ty(argument) {
+    fn dimensionless_scalar(&mut self, id: ExprId) -> Option<()> {
+        let unit = self.scalar(id)?;
+        self.dimensionless(id, &[unit]);
+        Some(())
+    }
+
+    fn dimensionless(&mut self, id: ExprId, units: &[ComponentUnit]) {
+        let odd = units.iter().flatten().find(|unit| !unit.is_one());
+        if let Some(unit) = odd {
+            let message = format!("expected a number without a unit, found {unit}");
+            self.unit_error(self.range(id), message);
+        }
+    }
+
+    fn vector(&mut self, id: ExprId) -> Option<(usize, Vec<ComponentUnit>)> {
+        match self.ty(id) {
+            Type::Matrix(shape, units) if shape.cols == 1 => Some((shape.rows, units.clone())),
+            _ => self.wrong(id, "a vector"),
+        }
+    }
+
+    /// A square matrix of at most `largest` rows.
+    fn square(&mut self, id: ExprId, largest: usize) -> Option<(usize, Vec<ComponentUnit>)> {
+        match self.ty(id) {
             Type::Matrix(shape, units) if shape.rows == shape.cols && shape.rows <= largest => {
-                Ok((shape.rows, units.clone()))
+                Some((shape.rows, units.clone()))
             }
-            _ if largest == usize::MAX => Err(self.wrong_shape(call, argument, "a square matrix")),
-            _ => {
-                let expected = format!("a square matrix up to {largest}×{largest}");
-                Err(self.wrong_shape(call, argument, &expected))
-            }
+            _ if largest == usize::MAX => self.wrong(id, "a square matrix"),
+            _ => self.wrong(id, &format!("a square matrix of at most {largest} rows")),
         }
     }
 
-    /// `exp(A)` and `cay(A)`; that A is skew shows in `lower`.
-    fn rotation(&mut self, call: &Call) -> Result<Type, Reported> {
-        let argument = call.arguments[0];
-        let shape = self.ty(argument).shape();
-        let Some(shape) = shape.filter(|s| s.rows == s.cols && (2..=3).contains(&s.rows)) else {
-            let name = call.function.name();
-            let scalar = if call.function == Function::Exp {
-                "a scalar or "
-            } else {
-                ""
-            };
-            let message = format!(
-                "`{name}` takes {scalar}a skew 2×2 or 3×3 matrix, found {}",
-                self.ty(argument).noun()
-            );
-            let help = format!("write {name}(S(v))");
-            self.errors
-                .push_with_help(self.range(argument), message, help);
-            return Err(Reported);
-        };
-        if let Type::Matrix(_, units) = self.ty(argument).clone()
-            && let Some(unit) = units.into_iter().flatten().find(|unit| !unit.is_one())
-        {
-            let name = call.function.name();
-            let message = format!("`{name}` takes numbers without a unit, found {unit}");
-            self.unit_error(self.range(argument), message);
+    /// The argument of `exp` and `cay`; that it is skew is seen later, in its components.
+    fn rotation(&mut self, id: ExprId) -> Option<Type> {
+        match self.ty(id).clone() {
+            Type::Matrix(shape, units) if shape == PLANE || shape == SPACE => {
+                self.dimensionless(id, &units);
+                Some(Type::uniform(shape, Some(Unit::ONE)))
+            }
+            _ => self.wrong(id, "a skew 2×2 or 3×3 matrix such as S(v)"),
         }
-        Ok(Type::uniform(shape, Some(Unit::ONE)))
     }
 
-    fn cross(&mut self, call: &Call) -> Result<Type, Reported> {
-        let (_, a) = self.vector(call, call.arguments[0], Some(3))?;
-        let (_, b) = self.vector(call, call.arguments[1], Some(3))?;
-        let mut units = Vec::with_capacity(3);
-        for i in 0..3 {
+    fn stumpff_order(&mut self, id: ExprId) -> Option<()> {
+        let order = self.fact(id).constant.filter(|c| c.is_integer());
+        if order.is_some_and(|c| (0..=LARGEST_STUMPFF).contains(&c.to_integer())) {
+            return Some(());
+        }
+        let message = format!("expected a constant integer from 0 to {LARGEST_STUMPFF}");
+        self.errors.push(self.range(id), message);
+        None
+    }
+
+    fn dot(&mut self, args: &[ExprId], range: Range) -> Option<Type> {
+        let (n, left) = self.vector(args[0])?;
+        let (m, right) = self.vector(args[1])?;
+        if n != m {
+            return self.wrong(args[1], &format!("a {}", Shape::vector(n)));
+        }
+        let terms: Vec<_> = (0..n).map(|i| self.times(left[i], right[i])).collect();
+        let unit = self.one_unit(&terms, range, "the terms of this product");
+        Some(Type::scalar(unit))
+    }
+
+    fn cross(&mut self, args: &[ExprId], range: Range) -> Option<Type> {
+        let mut units = Vec::new();
+        for &id in args {
+            match self.vector(id)? {
+                (3, list) => units.push(list),
+                _ => return self.wrong(id, "a 3-vector"),
+            }
+        }
+        let component = |i: usize| {
             let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-            let terms = [self.times(a[j], b[k]), self.times(a[k], b[j])];
-            units.push(self.one_unit(&terms, call.range, "the terms of this product"));
-        }
-        Ok(Type::Matrix(Shape::vector(3), units))
+            let terms = [
+                self.times(units[0][j], units[1][k]),
+                self.times(units[0][k], units[1][j]),
+            ];
+            self.one_unit(&terms, range, "the terms of this product")
+        };
+        let units = (0..3).map(component).collect();
+        Some(Type::Matrix(Shape::vector(3), units))
     }
 
-    fn skew(&mut self, call: &Call) -> Result<Type, Reported> {
-        let argument = call.arguments[0];
-        match self.ty(argument) {
+    fn skew(&mut self, id: ExprId) -> Option<Type> {
+        match self.ty(id) {
             Type::Matrix(shape, units) if shape.is_scalar() => {
-                let units = vec![None, units[0], units[0], None];
-                Ok(Type::Matrix(Shape { rows: 2, cols: 2 }, units))
+                let a = units[0];
+                Some(Type::Matrix(PLANE, vec![None, a, a, None]))
             }
             Type::Matrix(shape, units) if *shape == Shape::vector(3) => {
                 let (x, y, z) = (units[0], units[1], units[2]);
                 let units = vec![None, z, y, z, None, x, y, x, None];
-                Ok(Type::Matrix(Shape { rows: 3, cols: 3 }, units))
+                Some(Type::Matrix(SPACE, units))
             }
-            _ => Err(self.wrong_shape(call, argument, "a scalar or a 3-vector")),
+            _ => self.wrong(id, "a scalar or a 3-vector"),
         }
     }
 
-    fn vee(&mut self, call: &Call) -> Result<Type, Reported> {
-        let argument = call.arguments[0];
-        let Some(n @ 2..=3) = self
-            .ty(argument)
-            .shape()
-            .filter(|s| s.rows == s.cols)
-            .map(|s| s.rows)
-        else {
-            return Err(self.wrong_shape(call, argument, "a 2×2 or 3×3 matrix"));
+    fn vee(&mut self, id: ExprId, range: Range) -> Option<Type> {
+        let (shape, pairs): (_, &[(usize, usize)]) = match self.ty(id).shape() {
+            Some(PLANE) => (Shape::SCALAR, &[(2, 1)]),
+            Some(SPACE) => (Shape::vector(3), &[(7, 5), (2, 6), (3, 1)]),
+            _ => return self.wrong(id, "a 2×2 or 3×3 matrix"),
         };
-        let (_, units) = self.square(call, argument, n)?;
-        let mut pair = |i: usize, j: usize| {
-            let opposite = [units[i * n + j], units[j * n + i]];
-            self.one_unit(&opposite, call.range, "opposite entries of this matrix")
+        let units = self.spread(self.ty(id), if pairs.len() == 1 { PLANE } else { SPACE });
+        let mut component = |&(i, j): &(usize, usize)| {
+            self.one_unit(&[units[i], units[j]], range, "opposite components")
         };
-        if n == 2 {
-            return Ok(Type::scalar(pair(1, 0)));
-        }
-        let units = vec![pair(2, 1), pair(0, 2), pair(1, 0)];
-        Ok(Type::Matrix(Shape::vector(3), units))
+        let units = pairs.iter().map(&mut component).collect();
+        Some(Type::Matrix(shape, units))
     }
 
-    fn diag(&mut self, call: &Call) -> Result<Type, Reported> {
-        let mut diagonal = Vec::new();
-        for &argument in call.arguments {
-            if call.arguments.len() == 1 && !self.is_scalar(argument) {
-                diagonal = self.vector(call, argument, None)?.1;
-            } else {
-                diagonal.push(self.scalar(call, argument)?);
+    fn diag(&mut self, args: &[ExprId], range: Range) -> Option<Type> {
+        let entries = match args {
+            [vector] if self.ty(*vector).shape().is_some_and(|s| !s.is_scalar()) => {
+                self.vector(*vector)?.1
             }
-        }
-        let n = diagonal.len();
-        let unit = |i: usize| {
-            if i / n == i % n {
-                diagonal[i / n]
-            } else {
-                None
+            scalars => {
+                let units = scalars.iter().map(|&id| self.scalar(id));
+                units.collect::<Option<Vec<_>>>()?
             }
         };
+        let n = entries.len();
+        if n > LARGEST_DIMENSION {
+            let message = format!("expected at most {LARGEST_DIMENSION} rows, found {n}");
+            self.errors.push(range, message);
+            return None;
+        }
         let shape = Shape { rows: n, cols: n };
-        Ok(Type::Matrix(shape, (0..n * n).map(unit).collect()))
+        let mut units = diagonal(n, None);
+        for (i, &unit) in entries.iter().enumerate() {
+            units[i * (n + 1)] = unit;
+        }
+        Some(Type::Matrix(shape, units))
     }
 
-    fn determinant(&mut self, call: &Call) -> Result<Type, Reported> {
-        let (n, units) = self.square(call, call.arguments[0], LARGEST_INVERSE)?;
-        let orders: &[&[usize]] = match n {
+    fn inverse(&mut self, id: ExprId, range: Range) -> Option<Type> {
+        if let Type::Multiple(unit) = *self.ty(id) {
+            return Some(Type::Multiple(self.over(Some(Unit::ONE), unit)));
+        }
+        let (n, units) = self.square(id, 3)?;
+        let determinant = self.determinant(n, &units, range);
+        let mut inverse = Vec::with_capacity(n * n);
+        for i in 0..n * n {
+            // Component (r, c) of the inverse is the cofactor (c, r) over the determinant.
+            let (row, col) = (i % n, i / n);
+            let keep = |j: &usize| j / n != row && j % n != col;
+            let minor: Vec<_> = (0..n * n).filter(keep).map(|j| units[j]).collect();
+            let cofactor = self.determinant(n - 1, &minor, range);
+            inverse.push(self.over(cofactor, determinant));
+        }
+        Some(Type::Matrix(Shape { rows: n, cols: n }, inverse))
+    }
+
+    /// The unit of a determinant of up to 3 rows, from the terms that are not zero.
+    fn determinant(&mut self, n: usize, units: &[ComponentUnit], range: Range) -> ComponentUnit {
+        let permutations: &[&[usize]] = match n {
+            0 => &[&[]],
             1 => &[&[0]],
             2 => &[&[0, 1], &[1, 0]],
             _ => &[
@@ -333,34 +300,14 @@ impl Typing<'_> {
                 &[2, 1, 0],
             ],
         };
-        let mut terms = Vec::with_capacity(orders.len());
-        for order in orders {
-            let start = Some(Unit::ONE);
-            terms.push((0..n).fold(start, |unit, i| self.times(unit, units[i * n + order[i]])));
-        }
-        Ok(Type::scalar(self.one_unit(
-            &terms,
-            call.range,
-            "the terms of this determinant",
-        )))
-    }
-
-    /// Units of A⁻¹: those of a matrix whose entry (i, j) has the unit aᵢbⱼ are 1/(aⱼbᵢ). An exact
-    /// zero takes the unit that its neighbours give it.
-    fn inverse(&mut self, call: &Call) -> Result<Type, Reported> {
-        let (n, units) = self.square(call, call.arguments[0], LARGEST_INVERSE)?;
-        let mut inverse = Vec::with_capacity(n * n);
-        for i in 0..n {
-            for j in 0..n {
-                let mut unit = units[j * n + i];
-                for k in 0..n * n {
-                    let (row, col) = (k / n, k % n);
-                    let across = self.times(units[j * n + col], units[row * n + i]);
-                    unit = unit.or(self.over(across, units[row * n + col]));
-                }
-                inverse.push(self.over(Some(Unit::ONE), unit));
+        let mut terms = Vec::new();
+        for permutation in permutations {
+            let mut term = Some(Unit::ONE);
+            for (row, &col) in permutation.iter().enumerate() {
+                term = self.times(term, units[row * n + col]);
             }
+            terms.push(term);
         }
-        Ok(Type::Matrix(Shape { rows: n, cols: n }, inverse))
+        self.one_unit(&terms, range, "the terms of the determinant")
     }
 }

@@ -1,169 +1,128 @@
-//! From [`Ast`] to [`Model`]: names, shapes, units, and what may stand where.
+//! From [`Ast`] to [`Model`].
 //!
-//! In comes a list of statements, out goes a model in which every name is resolved, every expression
-//! has a shape, every unit fits, and there are as many equations as unknowns; or every mistake found on
-//! the way, one message for each. `let`s are gone: what one names is a shared expression.
+//! In comes the list of statements, out goes a model in which every name is resolved, every shape and
+//! unit is known and right, and the equations are as many as the unknowns; or every mistake in these.
+//! From here on there are no `let`s, and the literal 0 and multiples of `I` are the only expressions
+//! that take their shape from their surroundings.
 
+mod advance;
 mod blocks;
+mod components;
 mod context;
-mod declarations;
+mod definitions;
+mod equations;
+mod flow;
 mod functions;
 mod names;
 mod operators;
-mod parts;
 mod statements;
-mod states;
 mod symbols;
 #[cfg(test)]
 mod tests;
 mod types;
 mod typing;
 mod value;
+mod values;
 
 pub use value::check_value;
 
 use crate::ast::Ast;
+use crate::ast::Form;
 use crate::diagnostic::Errors;
 use crate::model::Model;
 use crate::model::Solved;
-use crate::model::Variable;
-use context::Context;
-use declarations::declared_second;
+use crate::model::State;
+use crate::unit::Unit;
+use advance::Advance;
+use statements::Block;
 use statements::Statements;
 use symbols::Kind;
+use symbols::Symbol;
 use symbols::Symbols;
 use typing::Typing;
-
-/// Most scalar unknowns: the largest matrix that the runtime's linear solver has a size for.
-const MOST_UNKNOWNS: usize = 127;
 
 /// Checks a model.
 ///
 /// # Errors
-/// Every mistake, in file order.
+/// Every mistake, one message for each.
 pub fn check(ast: &Ast) -> Result<Model, Errors> {
     let mut errors = Errors::default();
+    let statements = Statements::collect(ast, &mut errors);
     let symbols = Symbols::collect(ast, &mut errors);
-    let statements = Statements::collect(ast, &symbols, &mut errors);
-    let second = declared_second(&symbols);
-    let mut typing = Typing::new(&ast.exprs, &symbols, second, errors);
-    typing.declare();
-    let model = Assembly {
-        typing,
-        symbols: &symbols,
-        statements,
-        ast,
-    }
-    .model();
-    let (model, errors) = model;
-    errors.or(model)
+    let units = definitions::units(&symbols, &mut errors);
+    statements.complain_if_incomplete(ast, &symbols, &mut errors);
+    context::check_all(ast, &statements, &symbols, &mut errors);
+
+    let mut typing = Typing::new(&ast.exprs, &symbols, time_unit(&units), errors);
+    typing.define(&units);
+    let parameters = typing.parameters();
+    let unknowns = typing.unknowns();
+    let variables = typing.states();
+    let start = typing.start(&variables, list(statements.start));
+    let update = typing.update(&variables, list(statements.update));
+    let outputs = typing.outputs(&units);
+    let flow = typing.flow(statements.flow, &variables);
+    let residual = typing.equations(list(statements.residual));
+    let claims = typing.claims(&statements.claims);
+
+    let advance = Advance::new(&typing, &variables, &unknowns, &update);
+    advance.check(&mut typing, statements.residual, &residual);
+    let solved = solved(&symbols, &advance.explicit);
+    let states = variables.iter().enumerate().filter_map(|(i, variable)| {
+        Some(State {
+            variable: variable.clone(),
+            start: start[i]?,
+            solved: !advance.explicit[i],
+            update: update[i],
+        })
+    });
+    let model = Model {
+        name: ast.name.clone(),
+        doc: ast.doc.clone(),
+        parameters,
+        states: states.collect(),
+        forms: forms(&statements, &solved),
+        unknowns,
+        solved,
+        exprs: typing.exprs,
+        residual,
+        flow,
+        outputs,
+        claims,
+    };
+    typing.errors.or(model)
 }
 
-/// The last stretch: from typed names to the parts of the model.
-struct Assembly<'a> {
-    typing: Typing<'a>,
-    symbols: &'a Symbols<'a>,
-    statements: Statements<'a>,
-    ast: &'a Ast,
-}
-
-impl Assembly<'_> {
-    fn model(mut self) -> (Model, Errors) {
-        let parameters = self.parameters();
-        let unknowns = self.unknowns();
-        let residual = self.equations(Context::Residual);
-        let flow = self.equations(Context::Flow);
-        let outputs = self.outputs();
-        let claims = self.claims();
-        let states = self.states(&residual);
-        let mut model = Model {
-            name: self.ast.name.clone(),
-            doc: self.ast.doc.clone(),
-            parameters,
-            solved: self.solved(&states),
-            states,
-            unknowns,
-            exprs: Vec::new(),
-            residual,
-            flow,
-            outputs,
-            forms: self.statements.forms.clone(),
-            claims,
-        };
-        self.check_counts(&model);
-        model.exprs = self.typing.exprs;
-        (model, self.typing.errors)
-    }
-
-    /// The blocks of unknowns in file order.
-    fn solved(&self, states: &[crate::model::State]) -> Vec<Solved> {
-        let block = |symbol: &symbols::Symbol| match symbol.kind {
-            Kind::State => {
-                let solved = states.get(symbol.index).is_some_and(|s| s.solved);
-                solved.then_some(Solved::State(symbol.index))
-            }
-            Kind::Unknown => Some(Solved::Own(symbol.index)),
-            Kind::Parameter | Kind::Let | Kind::Output(_) => None,
-        };
-        self.symbols.list.iter().filter_map(block).collect()
-    }
-
-    /// As many equations as unknowns, and as many continuous equations as states.
-    fn check_counts(&mut self, model: &Model) {
-        if !self.typing.errors.is_empty() {
-            return;
-        }
-        let list = |variables: &[&Variable]| {
-            let name = |v: &&Variable| match v.shape.len() {
-                1 => format!("`{}`", v.name.display),
-                n => format!("`{}` ({n})", v.name.display),
-            };
-            variables.iter().map(name).collect::<Vec<_>>().join(", ")
-        };
-        let solved: Vec<_> = model
-            .solved
-            .iter()
-            .map(|&s| model.solved_variable(s))
-            .collect();
-        let (found, n) = (total(&model.residual), model.n_unknowns());
-        if found != n {
-            let (have, want) = (
-                counted(found, "scalar equation"),
-                counted(n, "scalar unknown"),
-            );
-            let message = format!("{have} for {want}: {}", list(&solved));
-            self.typing
-                .errors
-                .push(self.statements.residual_range(self.ast), message);
-        }
-        if n > MOST_UNKNOWNS {
-            let message = format!("{n} scalar unknowns, at most {MOST_UNKNOWNS} can be solved for");
-            self.typing
-                .errors
-                .push(self.statements.residual_range(self.ast), message);
-        }
-        let (found, n) = (total(&model.flow), model.n_states());
-        if let (Some(range), true) = (self.statements.flow_range(), found != n) {
-            let states: Vec<_> = model.states.iter().map(|s| &s.variable).collect();
-            let (have, want) = (
-                counted(found, "scalar equation"),
-                counted(n, "scalar state"),
-            );
-            let message = format!("{have} in the flow for {want}: {}", list(&states));
-            self.typing.errors.push(range, message);
-        }
-    }
-}
-
-fn total(equations: &[crate::model::Equation]) -> usize {
-    equations.iter().map(|e| e.shape.len()).sum()
-}
-
-/// `1 state`, `2 states`
-fn counted(n: usize, noun: &str) -> String {
-    if n == 1 {
-        format!("1 {noun}")
+/// The unit of t and h: seconds, unless the model is dimensionless throughout.
+fn time_unit(units: &[Option<Unit>]) -> Unit {
+    let dimensionless = units.iter().flatten().all(|unit| unit.is_one());
+    if dimensionless {
+        Unit::ONE
     } else {
-        format!("{n} {noun}s")
+        Unit::SECOND
+    }
+}
+
+/// The contents of a block, empty without one.
+fn list<'a, T>(block: Block<'a, T>) -> &'a [T] {
+    block.map_or(&[], |(list, _)| list)
+}
+
+/// The blocks of the unknown vector, in file order of their declarations.
+fn solved(symbols: &Symbols, explicit: &[bool]) -> Vec<Solved> {
+    let block = |symbol: &Symbol| match symbol.kind {
+        Kind::State if !explicit[symbol.index] => Some(Solved::State(symbol.index)),
+        Kind::Unknown => Some(Solved::Own(symbol.index)),
+        Kind::State | Kind::Parameter | Kind::Let | Kind::Output(_) => None,
+    };
+    symbols.list.iter().filter_map(block).collect()
+}
+
+/// The solvers to emit. Where no state is unknown all forms are the same, so there is one.
+fn forms(statements: &Statements, solved: &[Solved]) -> Vec<Form> {
+    let any_state = solved.iter().any(|s| matches!(s, Solved::State(_)));
+    match statements.solve_for {
+        Some((forms, _)) if any_state => forms.iter().map(|(form, _)| *form).collect(),
+        Some(_) | None => vec![Form::Increment],
     }
 }

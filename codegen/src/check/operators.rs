@@ -135,29 +135,28 @@ impl Typing<'_> {
         right: &[ComponentUnit],
         message: impl Fn(&str, Unit, Unit) -> String,
     ) -> Vec<ComponentUnit> {
-        let mut common = Vec::with_capacity(left.len());
-        let mut complaint = None;
-        for (i, (&left, &right)) in left.iter().zip(right).enumerate() {
-            common.push(match (left, right) {
-                (Some(a), Some(b)) if a != b => {
-                    let position = shape.map_or_else(String::new, |shape| position(shape, i));
-                    complaint.get_or_insert_with(|| message(&position, a, b));
-                    None
-                }
-                (unit, other) => unit.or(other),
-            });
-        }
-        if common.iter().all(|unit| unit.is_none())
-            && let Some(complaint) = complaint.as_mut()
-            && common.len() > 1
+        let differ = |i: &usize| matches!((left[*i], right[*i]), (Some(a), Some(b)) if a != b);
+        let mismatches: Vec<usize> = (0..left.len()).filter(differ).collect();
+        if let Some(&first) = mismatches.first()
+            && let (Some(a), Some(b)) = (left[first], right[first])
         {
-            // Every component differs, so naming one of them would mislead.
-            *complaint = complaint.replace(" in component 1", "");
+            // Where every component differs, naming one of them would mislead.
+            let everywhere = mismatches.len() == left.len();
+            let position = match shape {
+                Some(shape) if !everywhere => position(shape, first),
+                _ => String::new(),
+            };
+            self.unit_error(at, message(&position, a, b));
         }
-        if let Some(complaint) = complaint {
-            self.unit_error(at, complaint);
-        }
-        common
+        (0..left.len())
+            .map(|i| {
+                if differ(&i) {
+                    None
+                } else {
+                    left[i].or(right[i])
+                }
+            })
+            .collect()
     }
 
     /// For a number next to a square matrix: the multiple of `I` that was meant.

@@ -125,7 +125,7 @@ impl<'a> Symbols<'a> {
             by_name: BTreeMap::new(),
         };
         for mut symbol in ast.items.iter().filter_map(declaration) {
-            complain_if_reserved(symbol.name, errors);
+            complain_if_reserved(symbol.kind, symbol.name, errors);
             let name = symbol.name;
             if let Some(&first) = symbols.by_name.get(name.ascii.as_str()) {
                 let first: &Symbol = &symbols.list[first];
@@ -226,11 +226,13 @@ fn declaration(item: &Item) -> Option<Symbol<'_>> {
     })
 }
 
-fn complain_if_reserved(name: &Name, errors: &mut Errors) {
+fn complain_if_reserved(kind: Kind, name: &Name, errors: &mut Errors) {
+    // No expression names an output, so an invariant may be called `norm`.
+    let is_output = matches!(kind, Kind::Output(_));
     let ascii = name.ascii.as_str();
     let meaning = if let Some(builtin) = Builtin::named(ascii) {
         builtin.noun()
-    } else if Function::named(ascii).is_some() {
+    } else if Function::named(ascii).is_some() && !is_output {
         "a function"
     } else if KEYWORDS.contains(&ascii) {
         "a keyword"

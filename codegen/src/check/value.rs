@@ -1,30 +1,30 @@
-//! Checks a lone value, such as one from the command line.
+//! A lone value, such as one from the command line.
 
-use super::Assembly;
+use super::context;
 use super::context::Context;
-use super::statements::Statements;
-use super::symbols::Kind;
 use super::symbols::Symbols;
 use super::typing::Typing;
 use crate::ast::Ast;
 use crate::ast::Declaration;
+use crate::ast::Expr;
+use crate::ast::ExprId;
+use crate::ast::ExprKind;
 use crate::ast::Expression;
 use crate::ast::Item;
 use crate::ast::Name;
+use crate::ast::Output;
 use crate::ast::OutputKind;
 use crate::ast::TypeExpr;
 use crate::diagnostic::Errors;
-use crate::diagnostic::Range;
 use crate::model::Model;
-use crate::model::Output;
-use crate::model::Parameter;
 use crate::model::Shape;
-use crate::model::Variable;
 use crate::unit::Unit;
-use proc_macro2::Span;
+use num_rational::BigRational;
+use num_traits::Zero;
 
-/// A model that consists of `value` alone, as its one output of `shape`, over `parameters` given by
-/// name and shape. Units are not compared: a number on the command line has none.
+/// Checks `value`, which is to have `shape` and may use `parameters`, given by name and shape. It is the
+/// one output of the model that comes back, the parameters of which have no meaningful defaults. Units
+/// are not compared: a number on the command line has none.
 ///
 /// # Errors
 /// As [`super::check`].
@@ -33,76 +33,68 @@ pub fn check_value(
     parameters: &[(Name, Shape)],
     shape: Shape,
 ) -> Result<Model, Errors> {
-    let range = Range::of(Span::call_site());
-    let declaration = |(name, shape): &(Name, Shape)| {
-        let ty = TypeExpr {
-            shape: Some((vec![shape.rows, shape.cols], None)),
-            unit: None,
-        };
-        Item::Parameter(Declaration {
-            doc: Vec::new(),
-            name: name.clone(),
-            ty,
-            value: None,
-        })
-    };
-    let ast = Ast {
-        name: String::new(),
-        doc: Vec::new(),
-        items: parameters.iter().map(declaration).collect(),
-        exprs: value.exprs.clone(),
-        range,
-    };
-    let symbols = Symbols::collect(&ast, &mut Errors::default());
-    let mut typing = Typing::new(&ast.exprs, &symbols, Unit::ONE, Errors::default());
-    typing.lenient = true;
-    typing.declare();
-    let root = typing.expression_in(value.root, Context::Value);
-    let name = Name {
-        ascii: "value".into(),
-        display: "value".into(),
-        range,
-    };
-    let variable = Variable {
-        name,
-        shape,
-        unit: Unit::ONE,
-        doc: Vec::new(),
-        offset: 0,
-    };
-    let statements = Statements::default();
-    let mut assembly = Assembly {
-        typing,
-        symbols: &symbols,
-        statements,
-        ast: &ast,
-    };
-    assembly.fit(root, &variable, false);
-    let parameters = assembly.variables(Kind::Parameter);
-    // Stands for a default; nobody asks for it.
-    let default = assembly.typing.poison(range);
-    let parameters = parameters
-        .into_iter()
-        .map(|variable| Parameter { variable, default });
-    let parameters = parameters.collect();
-    let Assembly { typing, .. } = assembly;
+    let ast = file(value, parameters, shape);
+    let mut errors = Errors::default();
+    let symbols = Symbols::collect(&ast, &mut errors);
+    context::check_outputs(&ast, &symbols, Context::Value, &mut errors);
+    let units = vec![None; symbols.list.len()];
+    let mut typing = Typing::new(&ast.exprs, &symbols, Unit::ONE, errors);
+    typing.define(&units);
     let model = Model {
         name: String::new(),
         doc: Vec::new(),
-        parameters,
+        parameters: typing.parameters(),
         states: Vec::new(),
         unknowns: Vec::new(),
         solved: Vec::new(),
-        exprs: typing.exprs,
         residual: Vec::new(),
         flow: Vec::new(),
-        outputs: vec![Output {
-            variable,
-            kind: OutputKind::Observable,
-            value: root,
-        }],
+        outputs: typing.outputs(&units),
+        exprs: typing.exprs,
         forms: Vec::new(),
         claims: Vec::new(),
     };
     typing.errors.or(model)
+}
+
+/// `param p = 0; observe … = value;`
+fn file(value: &Expression, parameters: &[(Name, Shape)], shape: Shape) -> Ast {
+    let range = value.exprs[value.root.index()].range;
+    let mut exprs = value.exprs.clone();
+    let zero = ExprId(exprs.len() as u32);
+    exprs.push(Expr {
+        kind: ExprKind::Number(BigRational::zero()),
+        range,
+    });
+    let ty = |shape: Shape| TypeExpr {
+        shape: Some((vec![shape.rows, shape.cols], None)),
+        unit: None,
+    };
+    let parameters = parameters.iter().map(|(name, shape)| {
+        Item::Parameter(Declaration {
+            doc: Vec::new(),
+            name: name.clone(),
+            ty: ty(*shape),
+            value: Some(zero),
+        })
+    });
+    // No parameter can have the empty name.
+    let output = Item::Output(Output {
+        doc: Vec::new(),
+        kind: OutputKind::Observable,
+        name: Name {
+            ascii: String::new(),
+            display: "value".to_owned(),
+            range,
+        },
+        ty: ty(shape),
+        value: value.root,
+    });
+    Ast {
+        name: String::new(),
+        doc: Vec::new(),
+        items: parameters.chain([output]).collect(),
+        exprs,
+        range,
+    }
 }

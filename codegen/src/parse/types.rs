@@ -3,14 +3,12 @@
 use super::cursor::Cursor;
 use super::cursor::Parsed;
 use super::tokens::Kind;
+use crate::ast::LARGEST_DIMENSION;
 use crate::ast::Name;
 use crate::ast::TypeExpr;
 use crate::ast::UnitExpr;
 use crate::diagnostic::Diagnostic;
 use proc_macro2::Delimiter;
-
-/// Most rows or columns. A solver takes at most this many unknowns, see `check`.
-const LARGEST_DIMENSION: usize = 127;
 
 /// Largest numerator and denominator of an exponent.
 const LARGEST_EXPONENT: i32 = 99;

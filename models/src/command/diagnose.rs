@@ -33,8 +33,9 @@ pub fn compile(
             line: error.line,
             column: error.column.saturating_sub(1),
         };
-        let place = offset(text, at);
-        print(shown, text, &error.message, place..place + 1, None);
+        let start = offset(text, at);
+        let end = start + text[start..].chars().next().map_or(0, char::len_utf8);
+        print(shown, text, &error.message, start..end, None);
         Failure::Reported(2)
     })?;
     residua_codegen::compile(name, tokens).map_err(|errors| {

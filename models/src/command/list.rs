@@ -60,14 +60,14 @@ fn overview(models: &[Model]) -> Table {
             states.join(" "),
             unknowns.to_string(),
             forms.join(", "),
-            model
-                .doc
-                .lines()
-                .next()
-                .unwrap_or_default()
-                .trim()
-                .to_owned(),
+            first_paragraph(model.doc),
         ]);
     }
     table
+}
+
+fn first_paragraph(doc: &str) -> String {
+    let lines = doc.lines().map(str::trim);
+    let lines: Vec<&str> = lines.take_while(|line| !line.is_empty()).collect();
+    lines.join(" ")
 }

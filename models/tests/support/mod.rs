@@ -1,6 +1,11 @@
 //! Runs the command.
 
-use std::path::PathBuf;
+#![allow(
+    dead_code,
+    reason = "each test program includes this file and uses some of it"
+)]
+
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::{env, fs};
 
@@ -14,10 +19,16 @@ pub struct Outcome {
     pub stderr: String,
 }
 
-/// `residua ARGUMENTS`
-pub fn residua(arguments: &[&str]) -> Outcome {
+/// Runs `residua` with the words of `line`.
+pub fn residua(line: &str) -> Outcome {
+    residua_in(Path::new("."), line)
+}
+
+/// Runs `residua` with the words of `line` in a folder.
+pub fn residua_in(folder: &Path, line: &str) -> Outcome {
     let output = Command::new(env!("CARGO_BIN_EXE_residua"))
-        .args(arguments)
+        .args(line.split_whitespace())
+        .current_dir(folder)
         .stdin(Stdio::null())
         .output()
         .unwrap();
@@ -28,6 +39,13 @@ pub fn residua(arguments: &[&str]) -> Outcome {
     }
 }
 
+/// Runs `residua`, which must succeed.
+pub fn succeed(line: &str) -> Outcome {
+    let outcome = residua(line);
+    assert_eq!(outcome.code, 0, "{line}\n{}", outcome.stderr);
+    outcome
+}
+
 /// An empty folder for one test.
 pub fn folder(test: &str) -> PathBuf {
     let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(test);
@@ -36,20 +54,12 @@ pub fn folder(test: &str) -> PathBuf {
     path
 }
 
-/// Asserts the exit code and that the one message holds all of `parts`.
-pub fn assert_refused(arguments: &[&str], code: i32, parts: &[&str]) {
-    let outcome = residua(arguments);
-    let stderr = outcome.stderr;
-    assert_eq!(outcome.code, code, "{arguments:?}\n{stderr}");
-    assert_eq!(
-        stderr.matches("error:").count(),
-        1,
-        "{arguments:?}\n{stderr}"
-    );
+/// Asserts that there is one message, which holds all of `parts`, and the exit code.
+pub fn assert_refused(outcome: &Outcome, code: i32, parts: &[&str]) {
+    let stderr = &outcome.stderr;
+    assert_eq!(outcome.code, code, "{stderr}");
+    assert_eq!(stderr.matches("error:").count(), 1, "{stderr}");
     for part in parts {
-        assert!(
-            stderr.contains(part),
-            "{arguments:?}: no `{part}` in\n{stderr}"
-        );
+        assert!(stderr.contains(part), "no `{part}` in\n{stderr}");
     }
 }

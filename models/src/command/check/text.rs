@@ -114,10 +114,8 @@ impl fmt::Display for ClaimReport {
         } = self;
         match differences.len() {
             0 => writeln!(f, "  claim {label} (line {line}): right")?,
-            n => writeln!(
-                f,
-                "  claim {label} (line {line}): WRONG in {n} of its entries"
-            )?,
+            1 => writeln!(f, "  claim {label} (line {line}): WRONG in 1 entry")?,
+            n => writeln!(f, "  claim {label} (line {line}): WRONG in {n} entries")?,
         }
         for difference in differences {
             let EntryReport {
@@ -130,10 +128,19 @@ impl fmt::Display for ClaimReport {
                 derived_value,
             } = difference;
             writeln!(f, "    ({row},{col}) {entry}")?;
-            writeln!(f, "      printed  {printed}  = {printed_value:.6}")?;
-            writeln!(f, "      true     {derived}  = {derived_value:.6}")?;
+            writeln!(f, "      printed  {printed}{}", equals(*printed_value))?;
+            writeln!(f, "      true     {derived}{}", equals(*derived_value))?;
         }
         Ok(())
+    }
+}
+
+/// Blocks of a wrong shape have no value.
+fn equals(value: f64) -> String {
+    if value.is_nan() {
+        String::new()
+    } else {
+        format!("  = {value:.6}")
     }
 }
 

@@ -1,20 +1,21 @@
 //! How far the invariants of a run move from where they start.
 
 use crate::columns::{Placed, size};
-use crate::notation::{components, number, unit};
+use crate::notation::{number, unit};
+use residua::description::Variable;
 use std::fmt;
+use std::ops::Range;
 
-/// The drift of every invariant component.
+/// The drift of every invariant.
 pub struct Drift {
     invariants: Vec<Invariant>,
 }
 
 struct Invariant {
-    name: String,
-    unit: String,
-    /// Position in the row.
-    column: usize,
-    start: Option<f64>,
+    variable: &'static Variable,
+    /// Its place in the row.
+    own: Range<usize>,
+    start: Vec<f64>,
     last: f64,
     largest: f64,
 }
@@ -24,19 +25,23 @@ impl Drift {
     pub fn new(outputs: Vec<Placed>, n_states: usize) -> Self {
         let mut invariants = Vec::new();
         let mut column = n_states;
-        for output in outputs {
-            if output.invariant {
-                let named = components(output.variable).into_iter().enumerate();
-                invariants.extend(named.map(|(i, name)| Invariant {
-                    name,
-                    unit: unit(output.variable.unit),
-                    column: column + i,
-                    start: None,
+        for Placed {
+            variable,
+            invariant,
+            ..
+        } in outputs
+        {
+            let own = column..column + size(variable);
+            column = own.end;
+            if invariant {
+                invariants.push(Invariant {
+                    variable,
+                    own,
+                    start: Vec::new(),
                     last: 0.0,
                     largest: 0.0,
-                }));
+                });
             }
-            column += size(output.variable);
         }
         Self { invariants }
     }
@@ -44,34 +49,40 @@ impl Drift {
     /// Takes in one row.
     pub fn take(&mut self, row: &[f64]) {
         for invariant in &mut self.invariants {
-            let value = row[invariant.column];
-            let start = *invariant.start.get_or_insert(value);
-            invariant.last = value - start;
-            invariant.largest = invariant.largest.max(invariant.last.abs());
+            let values = &row[invariant.own.clone()];
+            if invariant.start.is_empty() {
+                invariant.start.extend_from_slice(values);
+            }
+            let drifts = values
+                .iter()
+                .zip(&invariant.start)
+                .map(|(v, s)| (v - s).abs());
+            invariant.last = drifts.fold(0.0, larger);
+            invariant.largest = larger(invariant.largest, invariant.last);
         }
     }
 }
 
+/// The larger of two sizes; NaN is larger than any number.
+fn larger(a: f64, b: f64) -> f64 {
+    if b.is_nan() || b > a { b } else { a }
+}
+
 impl fmt::Display for Drift {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for Invariant {
-            name,
-            unit,
-            start,
-            last,
-            largest,
-            ..
-        } in &self.invariants
-        {
-            let unit = if unit == "1" {
-                String::new()
-            } else {
-                format!(" {unit}")
+        for invariant in &self.invariants {
+            let unit = match invariant.variable.unit {
+                "1" => String::new(),
+                symbols => format!(" {}", unit(symbols)),
             };
-            let start = number(start.unwrap_or_default());
+            write!(f, "{}", invariant.variable.name)?;
+            if let [start] = invariant.start[..] {
+                write!(f, " = {}{unit}", number(start))?;
+            }
+            let Invariant { last, largest, .. } = invariant;
             writeln!(
                 f,
-                "{name}: {start}{unit}, drift {last:.1e} at the end, {largest:.1e} at most",
+                ": drift {last:.1e}{unit} at the end, {largest:.1e} at most"
             )?;
         }
         Ok(())

@@ -108,13 +108,14 @@ impl Simulate {
             let subtitle = self.subtitle(&plan, outcome.as_ref().ok());
             draw(file, trace, model.description, subtitle)?;
         }
-        let statistics = outcome?;
         if !self.quiet {
-            eprintln!("{}", pace(&plan, self.step, &statistics, elapsed));
-            eprint!("{}", recorded.drift);
+            if let Ok(statistics) = &outcome {
+                eprintln!("{}", pace(&plan, self.step, statistics, elapsed));
+                eprint!("{}", recorded.drift);
+            }
             self.name_files(recorded.rows);
         }
-        Ok(())
+        outcome.map(drop)
     }
 
     fn recorder(&self, model: &'static Catalogued, plan: &Plan) -> Result<Recorder, Failure> {
@@ -129,7 +130,7 @@ impl Simulate {
         let trace = self
             .plot
             .is_some()
-            .then(|| Trace::new(header.len() - 1, kept));
+            .then(|| Trace::new(model.description, kept));
         let rows = out.map(|out| Rows::new(out, &header)).transpose()?;
         let drawn = !(to_stdout && io::stdout().is_terminal()) && !self.quiet;
         Ok(Recorder::new(model, plan, self.step, rows, trace, drawn))
@@ -194,7 +195,7 @@ fn draw(
         title: description.name.to_owned(),
         subtitle,
         time: format!("t{unit}"),
-        panels: trace.into_panels(description),
+        panels: trace.into_panels(),
     };
     let text = plot::svg(&figure).map_err(Failure::Run)?;
     Ok(file.write_all(text.as_bytes())?)

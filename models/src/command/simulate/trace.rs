@@ -1,51 +1,98 @@
 //! A run thinned out for a picture.
 //!
-//! Rows are collected in bins of equal length. Of each bin and column only the lowest and the highest
+//! Rows are collected in bins of equal length. Of each bin and curve only the lowest and the highest
 //! point remain, so that oscillations keep their envelope however long the run is.
 
 use super::plot::{Curve, MAX_CURVES, Panel};
-use crate::columns::{Placed, ordered_outputs};
+use crate::columns::{ordered_outputs, size};
 use crate::notation::{components, unit};
 use residua::description::{Description, Variable};
+use std::ops::Range;
 
 /// Points that a curve may have: about two per pixel.
 const MAX_POINTS: u64 = 1600;
 
-/// The columns of a run, thinned out.
+/// Entries that are drawn one by one as drift; of more, the largest drift is drawn.
+const MAX_DRIFTS: usize = 3;
+
+/// The panels of a run, filled row by row.
 pub struct Trace {
-    columns: Vec<Column>,
+    panels: Vec<Filling>,
     rows_per_bin: u64,
     rows_in_bin: u64,
 }
 
-#[derive(Default)]
+struct Filling {
+    title: String,
+    unit: String,
+    /// Another scalar of this kind, drift or not, may join.
+    open: Option<bool>,
+    columns: Vec<Column>,
+}
+
 struct Column {
+    label: String,
+    shown: Shown,
     points: Vec<(f64, f64)>,
     low: Option<(f64, f64)>,
     high: Option<(f64, f64)>,
 }
 
+/// What a curve shows of a row.
+enum Shown {
+    Value(usize),
+    /// The entry that is farthest from its start, which the first row sets.
+    Drift(Range<usize>, Vec<f64>),
+}
+
 impl Trace {
-    /// For a run of `rows` rows of `width` columns.
-    pub fn new(width: usize, rows: u64) -> Self {
+    /// For a run of `rows` rows: one panel per state and output, invariants as drift from their start.
+    /// Scalars of one unit that follow each other share a panel.
+    pub fn new(description: &'static Description, rows: u64) -> Self {
         let rows_per_bin = if rows <= MAX_POINTS {
             1
         } else {
             rows.div_ceil(MAX_POINTS / 2)
         };
-        Self {
-            columns: std::iter::repeat_with(Column::default)
-                .take(width)
-                .collect(),
+        let mut trace = Self {
+            panels: Vec::new(),
             rows_per_bin,
             // The first row has a bin of its own: drift is counted from it.
             rows_in_bin: rows_per_bin - 1,
+        };
+        let mut at = 0;
+        for state in description.states {
+            trace.add(state, false, &mut at);
+        }
+        for output in ordered_outputs(description) {
+            trace.add(output.variable, output.invariant, &mut at);
+        }
+        trace
+    }
+
+    fn add(&mut self, variable: &Variable, drift: bool, at: &mut usize) {
+        let own = *at..*at + size(variable);
+        *at = own.end;
+        let filling = filling(variable, drift, own);
+        let shared = self.panels.last_mut().filter(|last| {
+            filling.open.is_some()
+                && last.open == filling.open
+                && last.unit == filling.unit
+                && last.columns.len() < MAX_CURVES
+        });
+        match shared {
+            Some(last) => {
+                last.title = format!("{}, {}", last.title, variable.name);
+                last.columns.extend(filling.columns);
+            }
+            None => self.panels.push(filling),
         }
     }
 
     /// Takes in one row. Values that are not finite leave a gap.
-    pub fn push(&mut self, t: f64, values: &[f64]) {
-        for (column, &value) in self.columns.iter_mut().zip(values) {
+    pub fn push(&mut self, t: f64, row: &[f64]) {
+        for column in self.panels.iter_mut().flat_map(|panel| &mut panel.columns) {
+            let value = column.shown.of(row);
             column.take(t, value);
         }
         self.rows_in_bin += 1;
@@ -55,28 +102,76 @@ impl Trace {
     }
 
     fn close_bin(&mut self) {
-        self.columns.iter_mut().for_each(Column::close_bin);
+        let columns = self.panels.iter_mut().flat_map(|panel| &mut panel.columns);
+        columns.for_each(Column::close_bin);
         self.rows_in_bin = 0;
     }
 
-    /// One panel per state and output; invariants as drift from their start. Scalars of one unit that
-    /// follow each other share a panel.
-    pub fn into_panels(mut self, description: &'static Description) -> Vec<Panel> {
+    /// What has been taken in.
+    pub fn into_panels(mut self) -> Vec<Panel> {
         self.close_bin();
-        let mut columns = self.columns.into_iter();
-        let mut panels = Panels::default();
-        for state in description.states {
-            panels.add(state, false, &mut columns);
+        let curve = |Column { label, points, .. }| Curve { label, points };
+        let panel = |filling: Filling| Panel {
+            title: filling.title,
+            unit: filling.unit,
+            curves: filling.columns.into_iter().map(curve).collect(),
+        };
+        self.panels.into_iter().map(panel).collect()
+    }
+}
+
+fn filling(variable: &Variable, drift: bool, own: Range<usize>) -> Filling {
+    let name = variable.name;
+    let n = own.len();
+    let title = match drift {
+        false if n > MAX_CURVES => format!("{name} (first {MAX_CURVES} of {n})"),
+        false => name.to_owned(),
+        true if n > MAX_DRIFTS => format!("largest drift in {name}"),
+        true => format!("drift of {name}"),
+    };
+    let shown: Vec<Shown> = match drift {
+        false => own.map(Shown::Value).take(MAX_CURVES).collect(),
+        true if n > MAX_DRIFTS => vec![Shown::Drift(own, Vec::new())],
+        true => own.map(|i| Shown::Drift(i..i + 1, Vec::new())).collect(),
+    };
+    let column = |(label, shown)| Column {
+        label,
+        shown,
+        points: Vec::new(),
+        low: None,
+        high: None,
+    };
+    Filling {
+        title,
+        unit: unit(variable.unit),
+        open: (n == 1).then_some(drift),
+        columns: components(variable)
+            .into_iter()
+            .zip(shown)
+            .map(column)
+            .collect(),
+    }
+}
+
+impl Shown {
+    fn of(&mut self, row: &[f64]) -> f64 {
+        match self {
+            Self::Value(i) => row[*i],
+            Self::Drift(own, start) => {
+                let values = &row[own.clone()];
+                if start.is_empty() {
+                    start.extend_from_slice(values);
+                }
+                let drifts = values
+                    .iter()
+                    .zip(start)
+                    .map(|(value, start)| value - *start);
+                drifts.fold(
+                    0.0,
+                    |most, d| if d.abs() <= f64::abs(most) { most } else { d },
+                )
+            }
         }
-        for Placed {
-            variable,
-            invariant,
-            ..
-        } in ordered_outputs(description)
-        {
-            panels.add(variable, invariant, &mut columns);
-        }
-        panels.list
     }
 }
 
@@ -99,70 +194,6 @@ impl Column {
             (Some(low), Some(high)) if low.0 > high.0 => self.points.extend([high, low]),
             (point, _) => self.points.extend(point),
         }
-    }
-}
-
-#[derive(Default)]
-struct Panels {
-    list: Vec<Panel>,
-    /// The last panel is of scalars, of invariants or not, and may take another one.
-    open: Option<bool>,
-}
-
-impl Panels {
-    fn add(
-        &mut self,
-        variable: &Variable,
-        drift: bool,
-        columns: &mut impl Iterator<Item = Column>,
-    ) {
-        let labels = components(variable);
-        let scalar = labels.len() == 1;
-        let mut curves: Vec<Curve> = labels
-            .into_iter()
-            .zip(columns)
-            .map(|(label, column)| Curve {
-                label,
-                points: column.points,
-            })
-            .collect();
-        if drift {
-            curves.iter_mut().for_each(from_start);
-        }
-        let unit = unit(variable.unit);
-        let shared = self.list.last_mut().filter(|last| {
-            scalar
-                && self.open == Some(drift)
-                && last.unit == unit
-                && last.curves.len() < MAX_CURVES
-        });
-        if let Some(last) = shared {
-            last.title = format!("{}, {}", last.title, variable.name);
-            last.curves.append(&mut curves);
-            return;
-        }
-        let mut title = if drift {
-            format!("drift of {}", variable.name)
-        } else {
-            variable.name.to_owned()
-        };
-        if curves.len() > MAX_CURVES {
-            title = format!("{title} (first {MAX_CURVES} of {})", curves.len());
-            curves.truncate(MAX_CURVES);
-        }
-        self.list.push(Panel {
-            title,
-            unit,
-            curves,
-        });
-        self.open = scalar.then_some(drift);
-    }
-}
-
-fn from_start(curve: &mut Curve) {
-    let start = curve.points.first().map_or(0.0, |point| point.1);
-    for point in &mut curve.points {
-        point.1 -= start;
     }
 }
 

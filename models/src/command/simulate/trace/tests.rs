@@ -1,10 +1,28 @@
 use super::{MAX_POINTS, Trace};
+use residua::description::{Description, Variable};
+
+static ONE_STATE: Description = Description {
+    name: "one",
+    doc: "",
+    parameters: &[],
+    states: &[Variable {
+        name: "q",
+        ascii: "q",
+        rows: 1,
+        cols: 1,
+        unit: "1",
+        doc: "",
+    }],
+    outputs: &[],
+    solvers: &[],
+    claims: &[],
+    has_flow: false,
+};
 
 fn points(rows: u64, value: impl Fn(u64) -> f64) -> Vec<(f64, f64)> {
-    let mut trace = Trace::new(1, rows);
+    let mut trace = Trace::new(&ONE_STATE, rows);
     (0..rows).for_each(|i| trace.push(i as f64, &[value(i)]));
-    trace.close_bin();
-    trace.columns.remove(0).points
+    trace.into_panels().remove(0).curves.remove(0).points
 }
 
 #[test]

@@ -1,0 +1,86 @@
+//! Equations and claims: do both sides have one shape and one unit?
+
+use super::types::Type;
+use super::typing::Typing;
+use crate::ast;
+use crate::ast::ExprId;
+use crate::model::Claim;
+use crate::model::Equation;
+
+impl Typing<'_> {
+    /// The equations of a block; those with a mistake are left out.
+    pub(super) fn equations(&mut self, list: &[ast::Equation]) -> Vec<Equation> {
+        list.iter().filter_map(|e| self.equation(e)).collect()
+    }
+
+    fn equation(&mut self, equation: &ast::Equation) -> Option<Equation> {
+        let lhs = self.expression(equation.lhs);
+        let rhs = self.expression(equation.rhs);
+        let range = equation.range;
+        if matches!(self.ty(lhs), Type::Poison) || matches!(self.ty(rhs), Type::Poison) {
+            return None;
+        }
+        let Some((shape, left, right)) = self.align(lhs, rhs) else {
+            let (left, right) = (self.ty(lhs).noun(), self.ty(rhs).noun());
+            let message = format!("the left side is {left}, the right side {right}");
+            self.errors.push(range, message);
+            return None;
+        };
+        let Some(shape) = shape else {
+            self.errors.push(range, "the size of `I` is not known here");
+            return None;
+        };
+        self.equal_units(
+            range,
+            Some(shape),
+            &left,
+            &right,
+            |position, left, right| {
+                format!("the left side has the unit {left}, the right side {right}{position}")
+            },
+        );
+        Some(Equation {
+            lhs,
+            rhs,
+            shape,
+            text: equation.text.clone(),
+            range,
+        })
+    }
+
+    /// The claims. Units inside them are not compared: what a paper prints need not be right.
+    pub(super) fn claims(&mut self, list: &[&ast::Claim]) -> Vec<Claim> {
+        self.lenient = true;
+        let mut claims = Vec::new();
+        for claim in list {
+            let mut blocks = Vec::new();
+            for row in &claim.blocks {
+                let typed = row
+                    .iter()
+                    .map(|(id, text)| (self.expression(*id), text.clone()));
+                blocks.push(typed.collect());
+            }
+            claims.push(Claim {
+                label: claim.label.clone(),
+                required: claim.required,
+                blocks,
+                range: claim.range,
+            });
+        }
+        self.lenient = false;
+        claims
+    }
+
+    /// All that `roots` are made of, operands first.
+    pub(super) fn reached(&self, roots: Vec<ExprId>) -> Vec<ExprId> {
+        let mut seen = vec![false; self.exprs.len()];
+        let mut pending = roots;
+        while let Some(id) = pending.pop() {
+            if !std::mem::replace(&mut seen[id.index()], true) {
+                pending.extend(self.exprs[id.index()].op.operands());
+            }
+        }
+        let ids = (0..self.exprs.len() as u32).map(ExprId);
+        ids.filter(|id| seen[id.index()]).collect()
+    }
+}

@@ -1,0 +1,215 @@
+//! Parameters, states, unknowns and outputs: do their values fit their types?
+
+use super::definitions::written_shape;
+use super::symbols::Kind;
+use super::types::Type;
+use super::typing::Meaning;
+use super::typing::Typing;
+use crate::ast::Assignment;
+use crate::ast::ExprId;
+use crate::ast::OutputKind;
+use crate::model::Output;
+use crate::model::Parameter;
+use crate::model::Shape;
+use crate::model::Unknown;
+use crate::model::Variable;
+use crate::unit::Unit;
+
+/// How strictly the unit of a value is compared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Strictness {
+    /// Always.
+    Strict,
+    /// Only if the value contains a name with a unit: bare numbers carry the declared unit.
+    Lax,
+}
+
+impl Typing<'_> {
+    /// The parameters and their defaults.
+    pub(super) fn parameters(&mut self) -> Vec<Parameter> {
+        self.variables(Kind::Parameter)
+            .into_iter()
+            .filter_map(|(value, variable)| {
+                let default = self.expression(value?);
+                self.conform(default, &variable, Strictness::Lax);
+                Some(Parameter { variable, default })
+            })
+            .collect()
+    }
+
+    /// The own unknowns and their first guesses.
+    pub(super) fn unknowns(&mut self) -> Vec<Unknown> {
+        self.variables(Kind::Unknown)
+            .into_iter()
+            .filter_map(|(value, variable)| {
+                let guess = self.expression(value?);
+                self.conform(guess, &variable, Strictness::Lax);
+                Some(Unknown { variable, guess })
+            })
+            .collect()
+    }
+
+    /// The states, without their values.
+    pub(super) fn states(&mut self) -> Vec<Variable> {
+        let states = self.variables(Kind::State).into_iter();
+        states.map(|(_, variable)| variable).collect()
+    }
+
+    /// The start values of the states.
+    pub(super) fn start(
+        &mut self,
+        states: &[Variable],
+        list: &[Assignment],
+    ) -> Vec<Option<ExprId>> {
+        self.assigned(states, list, "start value", Strictness::Lax)
+    }
+
+    /// What `update` assigns to the states.
+    pub(super) fn update(
+        &mut self,
+        states: &[Variable],
+        list: &[Assignment],
+    ) -> Vec<Option<ExprId>> {
+        self.assigned(states, list, "next value", Strictness::Strict)
+    }
+
+    /// Invariants and observables. What their types leave out, their values decide.
+    pub(super) fn outputs(&mut self, units: &[Option<Unit>]) -> Vec<Output> {
+        let symbols = self.symbols;
+        let mut outputs: Vec<Output> = Vec::new();
+        for (index, symbol) in symbols.of_kind(Kind::Output(OutputKind::Observable)) {
+            let (Kind::Output(kind), Some(value)) = (symbol.kind, symbol.value) else {
+                continue;
+            };
+            let value = self.expression(value);
+            let ty = self.ty(value).clone();
+            let Some(shape) = symbol.ty.and_then(written_shape).or(ty.shape()) else {
+                if matches!(ty, Type::Multiple(_)) {
+                    self.sizeless(index);
+                }
+                continue;
+            };
+            let mut variable = Variable {
+                name: symbol.name.clone(),
+                shape,
+                unit: units[index].unwrap_or(Unit::ONE),
+                doc: symbol.doc.to_vec(),
+                offset: outputs.last().map_or(0, |last| end(&last.variable)),
+            };
+            if units[index].is_none() {
+                let what = format!("the components of `{}`", variable.name.display);
+                let range = self.range(value);
+                let units = self.spread(&ty, shape);
+                variable.unit = self.one_unit(&units, range, &what).unwrap_or(Unit::ONE);
+            }
+            self.conform_shape(value, &variable);
+            if units[index].is_some() {
+                self.conform_unit(value, &variable);
+            }
+            outputs.push(Output {
+                variable,
+                kind,
+                value,
+            });
+        }
+        outputs
+    }
+
+    /// The declarations of one kind, numbered through, each with its value.
+    fn variables(&self, kind: Kind) -> Vec<(Option<ExprId>, Variable)> {
+        let mut list: Vec<(Option<ExprId>, Variable)> = Vec::new();
+        for (index, symbol) in self.symbols.of_kind(kind) {
+            let (shape, unit) = match &self.meanings[index] {
+                Meaning::Variable(Type::Matrix(shape, units)) => (*shape, units[0]),
+                _ => (Shape::SCALAR, None),
+            };
+            let variable = Variable {
+                name: symbol.name.clone(),
+                shape,
+                unit: unit.unwrap_or(Unit::ONE),
+                doc: symbol.doc.to_vec(),
+                offset: list.last().map_or(0, |(_, last)| end(last)),
+            };
+            list.push((symbol.value, variable));
+        }
+        list
+    }
+
+    /// The values that a block assigns to `states`.
+    fn assigned(
+        &mut self,
+        states: &[Variable],
+        list: &[Assignment],
+        what: &str,
+        strictness: Strictness,
+    ) -> Vec<Option<ExprId>> {
+        let mut values = vec![None; states.len()];
+        for assignment in list {
+            let name = &assignment.name;
+            let value = self.expression(assignment.value);
+            let symbol = self.symbols.find(name).map(|i| self.symbols.list[i]);
+            let shown = &name.display;
+            match symbol {
+                Some(symbol) if symbol.kind == Kind::State => {
+                    if values[symbol.index].replace(value).is_some() {
+                        let message = format!("a second {what} of `{shown}`");
+                        self.errors.push(name.range, message);
+                    }
+                    self.conform(value, &states[symbol.index], strictness);
+                }
+                Some(symbol) => {
+                    let noun = symbol.kind.noun();
+                    let message = format!("expected a state, and `{shown}` is {noun}");
+                    self.errors.push(name.range, message);
+                }
+                None => {
+                    self.name(name, None, name.range);
+                }
+            }
+        }
+        values
+    }
+
+    /// Complains unless `value` can be the value of `variable`.
+    fn conform(&mut self, value: ExprId, variable: &Variable, strictness: Strictness) {
+        self.conform_shape(value, variable);
+        if strictness == Strictness::Strict || self.fact(value).dimensioned {
+            self.conform_unit(value, variable);
+        }
+    }
+
+    fn conform_shape(&mut self, value: ExprId, variable: &Variable) {
+        let shape = variable.shape;
+        let fits = match self.ty(value) {
+            Type::Poison => true,
+            Type::Multiple(_) => shape.rows == shape.cols && !shape.is_scalar(),
+            Type::Matrix(own, _) => *own == shape || self.is_zero(value),
+        };
+        if !fits {
+            let (shown, found) = (&variable.name.display, self.ty(value).noun());
+            let message = format!("`{shown}` is a {shape}, found {found}");
+            self.errors.push(self.range(value), message);
+        }
+    }
+
+    fn conform_unit(&mut self, value: ExprId, variable: &Variable) {
+        let Variable { shape, unit, .. } = variable;
+        let found = self.spread(self.ty(value), *shape);
+        let expected = vec![Some(*unit); found.len()];
+        let (at, shown) = (self.range(value), &variable.name.display);
+        self.equal_units(
+            at,
+            Some(*shape),
+            &found,
+            &expected,
+            |position, found, unit| {
+                format!("`{shown}` has the unit {unit}, found {found}{position}")
+            },
+        );
+    }
+}
+
+/// Where the next variable begins.
+fn end(variable: &Variable) -> usize {
+    variable.offset + variable.shape.len()
+}
