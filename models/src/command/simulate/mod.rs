@@ -1,5 +1,6 @@
 //! `residua simulate`: a run, its rows, its picture, and a summary.
 
+mod axis;
 mod drift;
 mod plan;
 mod plot;
@@ -132,8 +133,8 @@ impl Simulate {
             .is_some()
             .then(|| Trace::new(model.description, kept));
         let rows = out.map(|out| Rows::new(out, &header)).transpose()?;
-        let drawn = !(to_stdout && io::stdout().is_terminal()) && !self.quiet;
-        Ok(Recorder::new(model, plan, self.step, rows, trace, drawn))
+        let hidden = self.quiet || (to_stdout && io::stdout().is_terminal());
+        Ok(Recorder::new(model, plan, self.step, rows, trace, !hidden))
     }
 
     fn advance(&self, plan: &Plan, recorder: &mut Recorder) -> Result<Statistics, Failure> {

@@ -2,6 +2,7 @@
 //!
 //! Comes in: a [`Figure`] of curves that are already thinned out. Goes out: the text of an SVG file.
 
+use super::axis::{common_exponent, extent, padded, short};
 use crate::notation::power_of_ten;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
@@ -50,11 +51,17 @@ const CAPTION: i32 = 26;
 const AXIS: i32 = 46;
 /// Space left of the curves for the values, [px].
 const LEFT: i32 = 64;
-/// Space right of the curves for the legend, [px].
-const RIGHT: i32 = 104;
+/// Least and most space right of the curves for the legend, [px].
+const RIGHT: (i32, i32) = (104, 260);
+/// Space that the line before a name in the legend takes, with its margins, [px].
+const SWATCH: i32 = 42;
+/// Width of a letter in the legend, on the safe side, [px].
+const LETTER: i32 = 7;
 
 /// Width of a curve, [backend units].
 const STROKE: u32 = 13;
+/// Of a curve, so that those below show through where long runs leave no gaps.
+const OPACITY: f64 = 0.85;
 
 /// The reader's own interface font, as the picture is looked at in browsers.
 const FONTS: &str = "system-ui, 'Segoe UI', 'Helvetica Neue', Arial, 'DejaVu Sans', sans-serif";
@@ -96,6 +103,30 @@ pub fn svg(figure: &Figure) -> Result<String, String> {
     Ok(text.replacen(&drawn, &shown, 1))
 }
 
+/// What all panels share.
+struct Frame {
+    start: f64,
+    end: f64,
+    /// Space right of the curves, [px].
+    right: i32,
+}
+
+impl Frame {
+    fn around(panels: &[Panel]) -> Self {
+        let (start, end) = extent(panels.iter().flat_map(|panel| &panel.curves), |p| p.0);
+        let named = panels.iter().filter(|panel| panel.curves.len() > 1);
+        let lengths = named
+            .flat_map(|panel| &panel.curves)
+            .map(|curve| curve.label.chars().count() as i32);
+        let (least, most) = RIGHT;
+        Self {
+            start,
+            end: if end > start { end } else { start + 1.0 },
+            right: (SWATCH + LETTER * lengths.max().unwrap_or(0)).clamp(least, most),
+        }
+    }
+}
+
 type Area<'a> = DrawingArea<SVGBackend<'a>, plotters::coord::Shift>;
 type Drawn<'a> = Result<(), DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBackend>::ErrorType>>;
 
@@ -104,38 +135,34 @@ fn draw<'a>(figure: &Figure, root: &Area<'a>) -> Drawn<'a> {
     let (header, body) = root.split_vertically(HEADER * SCALE);
     write(&header, &figure.title, (22, 16), bold(17.0, INK))?;
     write(&header, &figure.subtitle, (22, 40), font(12.0, MUTED))?;
-    let span = extent(figure.panels.iter().flat_map(|panel| &panel.curves), |p| {
-        p.0
-    });
+    let frame = Frame::around(&figure.panels);
     let mut rest = body;
     for (i, panel) in figure.panels.iter().enumerate() {
         let last = i + 1 == figure.panels.len();
         let height = if last { PANEL + AXIS } else { PANEL };
         let (area, below) = rest.split_vertically(height * SCALE);
         rest = below;
-        draw_panel(panel, span, last.then_some(figure.time.as_str()), &area)?;
+        draw_panel(panel, &frame, last.then_some(figure.time.as_str()), &area)?;
     }
     Ok(())
 }
 
-fn draw_panel<'a>(
-    panel: &Panel,
-    (start, end): (f64, f64),
-    time: Option<&str>,
-    area: &Area<'a>,
-) -> Drawn<'a> {
+fn draw_panel<'a>(panel: &Panel, frame: &Frame, time: Option<&str>, area: &Area<'a>) -> Drawn<'a> {
     let (low, high) = padded(extent(&panel.curves, |p| p.1));
     let exponent = common_exponent(low, high);
+    // plotters finds no good ticks for numbers like 1e-16, so it gets numbers of ordinary size.
+    let scale = 10f64.powi(exponent);
     draw_caption(panel, exponent, area)?;
+    draw_legend(panel, frame, area)?;
     let mut chart = ChartBuilder::on(area)
         .margin_top(CAPTION * SCALE)
-        .margin_right(RIGHT * SCALE)
+        .margin_right(frame.right * SCALE)
         .set_label_area_size(LabelAreaPosition::Left, LEFT * SCALE)
         .set_label_area_size(
             LabelAreaPosition::Bottom,
             if time.is_some() { AXIS * SCALE } else { 0 },
         )
-        .build_cartesian_2d(start..end, low..high)?;
+        .build_cartesian_2d(frame.start..frame.end, low / scale..high / scale)?;
     chart
         .configure_mesh()
         .disable_x_mesh()
@@ -148,17 +175,18 @@ fn draw_panel<'a>(
         .axis_desc_style(font(12.0, MUTED))
         .x_desc(time.unwrap_or_default())
         .x_label_formatter(&|value| short(*value))
-        .y_label_formatter(&|value| short(value / 10f64.powi(exponent)))
+        .y_label_formatter(&|value| short(*value))
         .set_all_tick_mark_size(4 * SCALE)
         .draw()?;
     for (curve, color) in panel.curves.iter().zip(PALETTE) {
-        let style = color.stroke_width(STROKE);
-        chart.draw_series(LineSeries::new(curve.points.iter().copied(), style))?;
+        let style = color.mix(OPACITY).stroke_width(STROKE);
+        let points = curve.points.iter().map(|&(t, value)| (t, value / scale));
+        chart.draw_series(LineSeries::new(points, style))?;
     }
     Ok(())
 }
 
-/// The title of a panel on its upper edge and, for more than one curve, a legend on its right.
+/// The title of a panel on its upper edge.
 fn draw_caption<'a>(panel: &Panel, exponent: i32, area: &Area<'a>) -> Drawn<'a> {
     let unit = match (exponent, panel.unit.as_str()) {
         (0, "1") => String::new(),
@@ -167,11 +195,15 @@ fn draw_caption<'a>(panel: &Panel, exponent: i32, area: &Area<'a>) -> Drawn<'a> 
         (_, unit) => format!("[{} {unit}]", power_of_ten(exponent)),
     };
     let caption = format!("{}  {unit}", panel.title);
-    write(area, caption.trim_end(), (LEFT, 8), bold(12.5, INK))?;
+    write(area, caption.trim_end(), (LEFT, 8), bold(12.5, INK))
+}
+
+/// The names of the curves, if there is more than one, on the right of a panel.
+fn draw_legend<'a>(panel: &Panel, frame: &Frame, area: &Area<'a>) -> Drawn<'a> {
     if panel.curves.len() < 2 {
         return Ok(());
     }
-    let left = WIDTH - RIGHT + 14;
+    let left = WIDTH - frame.right + 14;
     let pitch = if panel.curves.len() > 6 { 13 } else { 17 };
     for (i, (curve, color)) in panel.curves.iter().zip(PALETTE).enumerate() {
         let y = CAPTION + 8 + pitch * i as i32;
@@ -206,54 +238,4 @@ fn bold(size: f64, color: RGBColor) -> TextStyle<'static> {
 /// The factor undoes the conversion of plotters' SVG backend.
 fn typeface(size: f64) -> FontDesc<'static> {
     (FONTS, size * 1.24 * f64::from(SCALE)).into_font()
-}
-
-/// Smallest and largest coordinate of all curves, (0, 1) if there is none.
-fn extent<'c>(
-    curves: impl IntoIterator<Item = &'c Curve>,
-    coordinate: impl Fn(&(f64, f64)) -> f64,
-) -> (f64, f64) {
-    let values = curves
-        .into_iter()
-        .flat_map(|curve| curve.points.iter().map(&coordinate));
-    let bounds = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
-        (low.min(value), high.max(value))
-    });
-    if bounds.0 <= bounds.1 {
-        bounds
-    } else {
-        (0.0, 1.0)
-    }
-}
-
-/// The range of an axis around its values, never empty.
-fn padded((low, high): (f64, f64)) -> (f64, f64) {
-    let magnitude = low.abs().max(high.abs());
-    // Below this share of its size a variation is rounding, and magnifying it would mislead.
-    let flat = 1e-9 * magnitude;
-    match high - low {
-        _ if magnitude == 0.0 => (-1.0, 1.0),
-        height if height <= flat => (low - 0.5 * magnitude, high + 0.5 * magnitude),
-        height => (low - 0.08 * height, high + 0.08 * height),
-    }
-}
-
-/// The power of ten that the values of an axis share, 0 where they read well as they are.
-fn common_exponent(low: f64, high: f64) -> i32 {
-    let exponent = low.abs().max(high.abs()).log10().floor() as i32;
-    if (-2..=3).contains(&exponent) {
-        0
-    } else {
-        exponent
-    }
-}
-
-/// A tick value without the noise of binary fractions.
-fn short(value: f64) -> String {
-    let text = format!("{value:.6}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    match text {
-        "-0" => "0".to_owned(),
-        _ => text.replace('-', "−"),
-    }
 }

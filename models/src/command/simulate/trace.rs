@@ -12,6 +12,9 @@ use std::ops::Range;
 /// Points that a curve may have: about two per pixel.
 const MAX_POINTS: u64 = 1600;
 
+/// Values beyond this are not drawn: differences of two of them would overflow.
+const LARGEST: f64 = 1e300;
+
 /// Entries that are drawn one by one as drift; of more, the largest drift is drawn.
 const MAX_DRIFTS: usize = 3;
 
@@ -41,7 +44,8 @@ struct Column {
 /// What a curve shows of a row.
 enum Shown {
     Value(usize),
-    /// The entry that is farthest from its start, which the first row sets.
+    /// A scalar less its start, or how far the entries of a matrix are from theirs at most. The first row
+    /// sets the start.
     Drift(Range<usize>, Vec<f64>),
 }
 
@@ -162,22 +166,24 @@ impl Shown {
                 if start.is_empty() {
                     start.extend_from_slice(values);
                 }
-                let drifts = values
-                    .iter()
-                    .zip(start)
-                    .map(|(value, start)| value - *start);
-                drifts.fold(
-                    0.0,
-                    |most, d| if d.abs() <= f64::abs(most) { most } else { d },
-                )
+                match (values, &start[..]) {
+                    ([value], [start]) => value - start,
+                    (values, start) => largest_distance(values, start),
+                }
             }
         }
     }
 }
 
+fn largest_distance(a: &[f64], b: &[f64]) -> f64 {
+    let distances = a.iter().zip(b).map(|(a, b)| (a - b).abs());
+    // NaN is larger than any number, so that it leaves a gap.
+    distances.fold(0.0, |most, d| if d.is_nan() || d > most { d } else { most })
+}
+
 impl Column {
     fn take(&mut self, t: f64, value: f64) {
-        if !value.is_finite() {
+        if value.is_nan() || value.abs() > LARGEST {
             return;
         }
         if self.low.is_none_or(|(_, low)| value < low) {

@@ -1,0 +1,97 @@
+//! What a user sees when a build meets a bad model file: rustc's own carets in that file, and no errors
+//! in code that uses the model.
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+/// Code that names everything a model leaves in its module.
+const USER: &str = "
+#![allow(confusable_idents, mixed_script_confusables)]
+pub mod pendulum {
+    use residua::model;
+    include!(\"pendulum.model\");
+}
+pub fn name() -> &'static str {
+    pendulum::MODEL.description.name
+}
+pub type Both = (pendulum::Next, pendulum::Increment, pendulum::Parameters, pendulum::State);
+";
+
+/// What `cargo check` says about a crate whose one model file is `model`.
+fn check(name: &str, model: &str) -> (bool, String) {
+    let workspace = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    fs::create_dir_all(folder.join("src")).expect("a folder for the crate");
+    let runtime = workspace.join("../runtime");
+    let manifest = format!(
+        "[package]\nname = \"{name}\"\nversion = \"0.1.0\"\nedition = \"2024\"\n\n\
+         [dependencies]\nresidua = {{ path = {runtime:?} }}\n\n[workspace]\n"
+    );
+    fs::write(folder.join("Cargo.toml"), manifest).expect("a manifest");
+    fs::copy(workspace.join("own_crate/Cargo.lock"), folder.join("Cargo.lock")).expect("a lock file");
+    fs::write(folder.join("src/lib.rs"), USER).expect("a library");
+    fs::write(folder.join("src/pendulum.model"), model).expect("a model");
+    let output = Command::new(env!("CARGO"))
+        .args(["check", "--quiet", "--offline", "--color", "never"])
+        .current_dir(&folder)
+        .env("CARGO_TARGET_DIR", workspace.join("own_crate/target"))
+        .env_remove("RUSTFLAGS")
+        .output()
+        .expect("cargo runs");
+    (output.status.success(), String::from_utf8_lossy(&output.stderr).into_owned())
+}
+
+/// The first lines of all errors but cargo's own.
+fn errors(stderr: &str) -> Vec<&str> {
+    let is_error = |line: &&str| line.starts_with("error") && !line.contains("could not compile");
+    stderr.lines().filter(is_error).collect()
+}
+
+#[test]
+fn every_mistake_of_a_file_has_a_caret_there_and_nothing_follows() {
+    let model = "model! {
+    param m: kg = 2;
+    param g: m/s^2 = 9.81;
+    state ω: 1/s;
+    state θ: rad;
+    residual {
+        m*Δomga + h*g*sin(θ[k+1/2]) = 0;
+        2*Δθ - h*(ω[k+1] + m) = 0;
+    }
+    start { ω = 1; }
+}
+";
+    let (built, stderr) = check("several_mistakes", model);
+    assert!(!built);
+    let found = errors(&stderr);
+    assert!(found.len() >= 3, "{stderr}");
+    assert_eq!(stderr.matches("pendulum.model:").count(), found.len(), "{stderr}");
+    assert!(stderr.contains("pendulum.model:7:"), "{stderr}");
+    assert!(stderr.contains("pendulum.model:8:"), "{stderr}");
+    assert!(stderr.contains("help: did you mean `ω`?") || stderr.contains("omga"), "{stderr}");
+    assert!(!stderr.contains("error[E"), "{stderr}");
+}
+
+#[test]
+fn an_unbalanced_bracket_is_one_error() {
+    let (built, stderr) = check("unbalanced_bracket", "model! {\n    state x;\n    residual { (Δx = 0; }\n}\n");
+    assert!(!built);
+    assert_eq!(errors(&stderr).len(), 1, "{stderr}");
+    assert!(stderr.contains("pendulum.model:3:"), "{stderr}");
+}
+
+#[test]
+fn a_good_model_builds_without_a_warning() {
+    let model = "model! {
+    param ρ: kg = 2;
+    param p = 1;
+    state x;
+    residual { Δx + p*x[k+1/2] = 0; }
+    start { x = 1; }
+}
+";
+    let (built, stderr) = check("good_model", model);
+    assert!(built, "{stderr}");
+    assert_eq!(stderr, "");
+}
