@@ -63,8 +63,8 @@ pub struct Kernel {
     pub rate: Rate,
     /// Its results.
     pub roots: Vec<ValueId>,
-    /// The values of its own rate that it computes, operands first, in the order in which the
-    /// roots need them. Numbers and inputs are not listed.
+    /// The values that it computes, operands first, in the order in which the roots need them: those
+    /// of its own rate apart from numbers and inputs, and negations of any rate.
     pub body: Vec<ValueId>,
 }
 
@@ -82,7 +82,7 @@ pub struct Count {
 }
 
 /// Values at their rates.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Schedule {
     /// All values, operands first.
     pub values: Vec<Value>,
@@ -144,6 +144,11 @@ impl Op {
     /// A number that is written where it is used.
     pub fn is_number(&self) -> bool {
         matches!(self, Op::Constant(_) | Op::Pi)
+    }
+
+    /// −v: costs nothing, so that it is not cached but written where it is used.
+    pub fn is_negation(&self) -> bool {
+        matches!(self, Op::Sum(terms) if matches!(terms.as_slice(), [(c, _)] if (-c).is_one()))
     }
 
     /// What it costs. A sign costs nothing.
@@ -222,7 +227,8 @@ impl Schedule {
                 if let Some(missing) = operands.iter().find(|o| !known[o.index()]) {
                     return Err(format!("{}: {id:?} needs {missing:?}", kernel.name));
                 }
-                known[id.index()] = self.value(*id).rate == kernel.rate;
+                let value = self.value(*id);
+                known[id.index()] = value.rate == kernel.rate || value.op.is_negation();
             }
             if let Some(missing) = kernel.roots.iter().find(|r| !known[r.index()]) {
                 return Err(format!(

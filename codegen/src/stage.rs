@@ -39,6 +39,7 @@ pub fn stage(dag: &Dag, kernels: &[Wanted]) -> Schedule {
     let (mut values, roots) = split::split(dag, kernels);
     share::reciprocals(&mut values);
     share::pairs(&mut values);
+    share::signs(&mut values, &roots);
     let schedule = order::order(values, &roots);
     debug_assert_eq!(schedule.verify(), Ok(()));
     schedule

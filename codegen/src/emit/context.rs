@@ -117,9 +117,14 @@ impl<'a> Context<'a> {
         let schedule = self.schedule;
         let mut count = Count::default();
         let mut values = Vec::new();
+        let mut is_listed = vec![false; schedule.values.len()];
         for kernel in kernels {
             count += schedule.count(kernel);
-            values.extend_from_slice(&kernel.body);
+            for id in &kernel.body {
+                if !std::mem::replace(&mut is_listed[id.index()], true) {
+                    values.push(*id);
+                }
+            }
         }
         let statements = write(schedule, &mut self.names, &values, roots, finish);
         let written = statements.tokens();

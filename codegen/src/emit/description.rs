@@ -16,7 +16,7 @@ use crate::schedule::Solver;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// The two items.
+/// `DESCRIPTION`
 pub(super) fn emit(model: &Model, program: &Program, findings: &[Finding]) -> TokenStream {
     let name = &model.name;
     let doc = model
@@ -35,7 +35,6 @@ pub(super) fn emit(model: &Model, program: &Program, findings: &[Finding]) -> To
     let solvers = program.solvers.iter().map(|s| solver(model, s));
     let claims = findings.iter().map(claim);
     let has_flow = program.flow.is_some();
-    let catalogued = catalogued(program);
     quote! {
         /// Names, shapes, units and texts.
         pub const DESCRIPTION: &::residua::Description = &::residua::Description {
@@ -48,12 +47,11 @@ pub(super) fn emit(model: &Model, program: &Program, findings: &[Finding]) -> To
             claims: &[#(#claims),*],
             has_flow: #has_flow,
         };
-
-        #catalogued
     }
 }
 
-fn catalogued(program: &Program) -> TokenStream {
+/// `MODEL`
+pub(super) fn catalogued(program: &Program) -> TokenStream {
     let solvers = program.solvers.iter().map(|s| {
         let name = name(s.form);
         quote!(&::residua::erased::ErasedSolver::<#name>::NEW)
@@ -142,12 +140,8 @@ fn unknown(model: &Model, solved: Solved, form: Form) -> TokenStream {
 }
 
 fn count(count: Count) -> TokenStream {
-    let Count {
-        additions,
-        multiplications,
-        divisions,
-        calls,
-    } = count;
+    let (additions, multiplications) = (whole(count.additions), whole(count.multiplications));
+    let (divisions, calls) = (whole(count.divisions), whole(count.calls));
     quote! {
         ::residua::description::Count {
             additions: #additions,

@@ -1,6 +1,8 @@
 //! `Flow`: the continuous equations solved for the rates.
 
+use super::allow;
 use super::context::Context;
+use super::equations::lines;
 use super::number::whole;
 use crate::model::Model;
 use crate::schedule::Schedule;
@@ -18,13 +20,14 @@ pub(super) fn emit(model: &Model, schedule: &Schedule) -> TokenStream {
     let scene = context.body("scene");
     let flow = context.body("flow");
     let built = context.scene.build(scene.roots.clone());
-    let doc = format!(" dx/dt, {n} components: {}.", flow.cost);
+    let lines = lines(&model.flow);
+    let doc = format!(" dx/dt, {n} components{lines}: {}.", flow.cost);
     let parameters = scene.argument("parameters");
     let [cached, t, state] = ["scene", "t", "state"].map(|name| flow.argument(name));
     let (scene_tokens, flow_tokens, rates) = (&scene.tokens, &flow.tokens, &flow.roots);
+    let allow = allow();
     quote! {
-        #[allow(non_snake_case, reason = "names as in the model")]
-        #[allow(clippy::many_single_char_names, clippy::suspicious_operation_groupings, reason = "formulas")]
+        #allow
         mod flow {
             #cache
 

@@ -6,6 +6,7 @@
 mod cache;
 mod context;
 mod description;
+mod equations;
 mod errors;
 mod expression;
 mod flow;
@@ -31,6 +32,13 @@ use record::Record;
 
 /// The items of a model: records, traits, description.
 pub fn emit(model: &Model, program: &Program, findings: &[Finding]) -> TokenStream {
+    let items = items(model, program, findings);
+    let catalogued = description::catalogued(program);
+    quote!(#items #catalogued)
+}
+
+/// All items but `MODEL`.
+fn items(model: &Model, program: &Program, findings: &[Finding]) -> TokenStream {
     let records = [
         Record::parameters(model),
         Record::state(model),
@@ -51,5 +59,14 @@ pub fn emit(model: &Model, program: &Program, findings: &[Finding]) -> TokenStre
         #flow
         #(#solvers)*
         #description
+    }
+}
+
+/// What emitted implementations may do although a person would be told not to.
+fn allow() -> TokenStream {
+    quote! {
+        #[allow(non_snake_case, reason = "names as in the model")]
+        #[allow(clippy::approx_constant, reason = "numbers as in the model")]
+        #[allow(clippy::many_single_char_names, clippy::suspicious_operation_groupings, reason = "formulas")]
     }
 }

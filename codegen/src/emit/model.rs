@@ -1,5 +1,6 @@
 //! `Model`: defaults, start values and outputs.
 
+use super::allow;
 use super::context::Context;
 use super::record::Record;
 use crate::model::Model;
@@ -14,13 +15,13 @@ pub(super) fn emit(model: &Model, program: &Program) -> TokenStream {
     let defaults = defaults(model, &program.defaults);
     let start = start(model, &program.start);
     let outputs = outputs(model, &program.outputs);
+    let allow = allow();
     quote! {
         #(#[doc = #doc])*
         #[derive(Clone, Copy, Debug)]
         pub struct Model;
 
-        #[allow(non_snake_case, reason = "names as in the model")]
-        #[allow(clippy::many_single_char_names, clippy::suspicious_operation_groupings, reason = "formulas")]
+        #allow
         mod model {
             #defaults
 

@@ -28,7 +28,7 @@ pub(super) struct Names {
 impl Names {
     /// Inputs take their names first, then cached values; others when they are first asked for.
     pub(super) fn new(schedule: &Schedule, variables: &Variables) -> Self {
-        let mut scope = Scope::variables();
+        let mut scope = Scope::function();
         let leaves = variables
             .leaves()
             .map(|l| (l, scope.claim(variables.name(l))))

@@ -86,7 +86,22 @@ fn levels_of(op: &Op, known: &[Option<Levels>], variables: &Variables) -> Option
             }
             total
         }
-        Op::Constant(_) | Op::Pi | Op::Leaf(_) | Op::Product { .. } | Op::Call(..) => None,
+        Op::Product {
+            coefficient,
+            numerator,
+            denominator,
+        } => match (numerator.as_slice(), denominator.as_slice()) {
+            ([factor], []) => {
+                let factor = known[factor.index()].as_ref()?;
+                Some(Levels {
+                    state: factor.state,
+                    now: coefficient * &factor.now,
+                    next: coefficient * &factor.next,
+                })
+            }
+            _ => None,
+        },
+        Op::Constant(_) | Op::Pi | Op::Leaf(_) | Op::Call(..) => None,
     }
 }
 

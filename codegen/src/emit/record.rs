@@ -81,7 +81,7 @@ impl<'a> Record<'a> {
     fn conversions(&self) -> TokenStream {
         let name = &self.name;
         let n = whole(self.len());
-        let mut scope = Scope::fields();
+        let mut scope = Scope::variables();
         let wishes = self
             .fields
             .iter()

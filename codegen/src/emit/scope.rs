@@ -5,9 +5,21 @@ use proc_macro2::Ident;
 use proc_macro2::Span;
 use std::collections::HashSet;
 
-/// What emitted functions see besides their variables: arguments, and items and variants whose name
-/// in a `let` would be a pattern instead of a variable.
-const RESERVED: &[&str] = &[
+/// Items and variants whose name in a `let` would be a pattern instead of a variable.
+const PATTERNS: &[&str] = &[
+    "Model",
+    "Next",
+    "Increment",
+    "MODEL",
+    "DESCRIPTION",
+    "None",
+    "Some",
+    "Ok",
+    "Err",
+];
+
+/// Arguments of emitted functions.
+const ARGUMENTS: &[&str] = &[
     "parameters",
     "state",
     "scene",
@@ -15,10 +27,6 @@ const RESERVED: &[&str] = &[
     "unknowns",
     "residual",
     "jacobian",
-    "None",
-    "Some",
-    "Ok",
-    "Err",
 ];
 
 /// The identifiers of one scope.
@@ -34,11 +42,20 @@ impl Scope {
         }
     }
 
-    /// The variables of emitted functions.
+    /// Variables.
     pub(super) fn variables() -> Self {
         Self {
-            taken: RESERVED.iter().map(|name| (*name).to_string()).collect(),
+            taken: PATTERNS.iter().map(|name| (*name).to_string()).collect(),
         }
+    }
+
+    /// Variables of a function with arguments.
+    pub(super) fn function() -> Self {
+        let mut scope = Self::variables();
+        scope
+            .taken
+            .extend(ARGUMENTS.iter().map(|name| (*name).to_string()));
+        scope
     }
 
     /// `wish`, or something close to it if that is taken.

@@ -1,6 +1,9 @@
 //! `Next` and `Increment`: residual, Jacobian and what follows from the solution.
 
+use super::allow;
 use super::context::Context;
+use super::equations::lines;
+use super::equations::rows;
 use super::expression::Expression;
 use super::number::whole;
 use super::scope::identifier;
@@ -34,13 +37,13 @@ pub(super) fn emit(model: &Model, solver: &Solver, index: usize) -> TokenStream 
     ];
     let (name, index) = (name(solver.form), whole(index));
     let (doc, module) = (doc(solver.form), identifier(solver.form.keyword()));
+    let allow = allow();
     quote! {
         #[doc = #doc]
         #[derive(Clone, Copy, Debug)]
         pub struct #name;
 
-        #[allow(non_snake_case, reason = "names as in the model")]
-        #[allow(clippy::many_single_char_names, clippy::suspicious_operation_groupings, reason = "formulas")]
+        #allow
         mod #module {
             #(#caches)*
 
@@ -135,11 +138,13 @@ fn residual_function(context: &mut Context, n: &Literal) -> TokenStream {
     };
     let body = context.body_with("residual", assign);
     let (scene_type, step_type) = (context.scene.ty(), context.step.ty());
-    let doc = format!(" r(x), {n} equations: {}.", body.cost);
+    let lines = lines(&context.model.residual);
+    let mut doc = vec![format!(" r(x), {n} equations{lines}: {}.", body.cost)];
+    doc.extend(rows(&context.model.residual));
     let [scene, step, unknowns] = ["scene", "step", "unknowns"].map(|name| body.argument(name));
     let tokens = &body.tokens;
     quote! {
-        #[doc = #doc]
+        #(#[doc = #doc])*
         fn residual(
             #scene: &#scene_type,
             #step: &#step_type,
@@ -176,8 +181,9 @@ fn jacobian_function(context: &mut Context, solver: &Solver, n: &Literal) -> Tok
     let (scene_type, step_type) = (context.scene.ty(), context.step.ty());
     let entries = solver.pattern.len();
     let doc = format!(
-        " r(x) and the {entries} structural non-zeros of its Jacobian: {}.",
-        body.cost
+        " r(x) and the {entries} structural non-zeros of its Jacobian{}: {}.",
+        lines(&context.model.residual),
+        body.cost,
     );
     let [scene, step, unknowns] = ["scene", "step", "unknowns"].map(|name| body.argument(name));
     let tokens = &body.tokens;

@@ -18,7 +18,7 @@ use std::collections::BTreeMap;
 use std::collections::BTreeSet;
 
 /// Longest expression that is written inside another one instead of getting a name.
-const INLINE: usize = 56;
+const INLINE: usize = 72;
 
 /// A function body under construction.
 pub(super) struct Statements<'a> {

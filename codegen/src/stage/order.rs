@@ -69,7 +69,10 @@ fn with_caches(list: Vec<Value>, wanted: Vec<Kernel>) -> Schedule {
 }
 
 fn kernel(list: &[Value], name: &'static str, rate: Rate, roots: Vec<ValueId>) -> Kernel {
-    let is_own = |v: ValueId| list[v.index()].rate == rate && !list[v.index()].op.is_given();
+    let is_own = |v: ValueId| {
+        let Value { op, rate: own } = &list[v.index()];
+        op.is_negation() || *own == rate && !op.is_given()
+    };
     let body = postorder(list, &roots, is_own);
     Kernel {
         name,
@@ -79,7 +82,7 @@ fn kernel(list: &[Value], name: &'static str, rate: Rate, roots: Vec<ValueId>) -
     }
 }
 
-/// The values of `rate` that faster kernels use, in value order.
+/// The values of `rate` that faster kernels look up, in value order.
 fn looked_up(list: &[Value], kernels: &[Kernel], rate: Rate) -> Vec<ValueId> {
     let mut is_used = vec![false; list.len()];
     for kernel in kernels.iter().filter(|k| k.rate > rate) {
@@ -94,7 +97,8 @@ fn looked_up(list: &[Value], kernels: &[Kernel], rate: Rate) -> Vec<ValueId> {
     (0..)
         .map(ValueId)
         .zip(list)
-        .filter(|(id, v)| is_used[id.index()] && v.rate == rate && !v.op.is_number())
+        .filter(|(id, v)| is_used[id.index()] && v.rate == rate)
+        .filter(|(_, v)| !v.op.is_number() && !v.op.is_negation())
         .map(|(id, _)| id)
         .collect()
 }

@@ -1,5 +1,6 @@
 //! Sub-expressions that several values have in common.
 
+use super::split::Rooted;
 use super::values::Values;
 use crate::dag::Rate;
 use crate::schedule::Op;
@@ -46,6 +47,29 @@ pub(super) fn reciprocals(values: &mut Values) {
                 denominator.clear();
                 numerator.push(reciprocal);
             }
+        }
+    }
+}
+
+/// Takes the sign into sums that are used only with a minus in front: −(a − b) is b − a.
+pub(super) fn signs(values: &mut Values, roots: &[Rooted]) {
+    let mut users = vec![0; values.list.len()];
+    let operands = values.iter().flat_map(|(_, v)| v.op.operands());
+    for id in operands.chain(roots.iter().flat_map(|k| k.2.iter().copied())) {
+        users[id.index()] += 1;
+    }
+    for i in 0..values.list.len() {
+        let Op::Sum(outer) = &values.list[i].op else {
+            continue;
+        };
+        let [(_, inner)] = outer[..] else { continue };
+        if let Op::Sum(terms) = &values.list[inner.index()].op
+            && values.list[i].op.is_negation()
+            && users[inner.index()] == 1
+        {
+            let mut terms: Vec<_> = terms.iter().map(|t| (-&t.0, t.1)).collect();
+            terms.sort_by_key(|t| t.0.is_negative());
+            values.list[i].op = Op::Sum(terms);
         }
     }
 }

@@ -54,11 +54,20 @@ impl Values {
                 let number = number * coefficient;
                 self.intern(Op::Constant(number))
             }
-            _ if coefficient.is_one() => value,
-            _ if coefficient.is_positive() => self.fraction(coefficient, vec![value], Vec::new()),
-            _ => {
+            _ if coefficient.is_negative() => {
                 let positive = self.scaled(-coefficient, value);
                 self.intern(Op::Sum(vec![(-BigRational::one(), positive)]))
+            }
+            Op::Product {
+                coefficient: inner,
+                numerator,
+                denominator,
+            } => {
+                let (numerator, denominator) = (numerator.clone(), denominator.clone());
+                self.quotient(coefficient * inner, numerator, denominator)
+            }
+            Op::Pi | Op::Leaf(_) | Op::Sum(_) | Op::Call(..) => {
+                self.quotient(coefficient, vec![value], Vec::new())
             }
         }
     }
@@ -149,8 +158,32 @@ impl Values {
         })
     }
 
-    /// Σ cᵢ vᵢ as a sign and a value, its slower terms added up at their own rate.
+    /// Σ cᵢ vᵢ as a coefficient and a value. Terms of equal weight are added up first, so that
+    /// c·a − c·b costs one multiplication and a small difference keeps its digits: c·(a − b).
     pub(super) fn sum(&mut self, terms: &[(BigRational, ValueId)]) -> (BigRational, ValueId) {
+        let mut weights: Vec<BigRational> = Vec::new();
+        for weight in terms.iter().map(|t| t.0.abs()) {
+            if !weights.contains(&weight) {
+                weights.push(weight);
+            }
+        }
+        let mut grouped = Vec::new();
+        for weight in weights {
+            let group = terms.iter().filter(|t| t.0.abs() == weight);
+            let group: Vec<_> = group.cloned().collect();
+            if weight.is_one() || group.len() == 1 {
+                grouped.extend(group);
+            } else {
+                let unscaled: Vec<_> = group.iter().map(|t| (t.0.signum(), t.1)).collect();
+                let (sign, value) = self.split_sum(&unscaled);
+                grouped.push((sign * weight, value));
+            }
+        }
+        self.split_sum(&grouped)
+    }
+
+    /// Σ cᵢ vᵢ as a coefficient and a value, its slower terms added up at their own rate.
+    fn split_sum(&mut self, terms: &[(BigRational, ValueId)]) -> (BigRational, ValueId) {
         let last = fastest(terms.iter().map(|t| self.rate(t.1)));
         let mut slower: Option<(BigRational, ValueId)> = None;
         for rate in RATES {

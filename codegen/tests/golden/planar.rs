@@ -1,0 +1,665 @@
+/// The parameters.
+#[allow(non_snake_case, reason = "names as in the model")]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Parameters<T = f64> {
+    /// `m` in `kg`: mass
+    pub m: T,
+    /// `J` in `kg*m^2`: moment of inertia about the pivot
+    pub J: T,
+    /// `l` in `m`: distance from the pivot to the centre of mass
+    pub l: T,
+    /// `g` in `m/s^2`: gravity
+    pub g: T,
+}
+#[allow(non_snake_case, reason = "names as in the model")]
+impl<T: ::core::marker::Copy> ::residua::Record<T> for Parameters<T> {
+    type Array = [T; 4];
+    fn from_array([m, J, l, g]: [T; 4]) -> Self {
+        Self { m, J, l, g }
+    }
+    fn to_array(&self) -> [T; 4] {
+        let Self { m, J, l, g } = *self;
+        [m, J, l, g]
+    }
+}
+/// The state.
+#[allow(non_snake_case, reason = "names as in the model")]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct State<T = f64> {
+    /// `ω` in `1/s`: angular velocity
+    pub omega: T,
+    /// `Γ`: second row of the rotation matrix
+    pub Gamma: [T; 2],
+}
+#[allow(non_snake_case, reason = "names as in the model")]
+impl<T: ::core::marker::Copy> ::residua::Record<T> for State<T> {
+    type Array = [T; 3];
+    fn from_array([omega, Gamma_x, Gamma_y]: [T; 3]) -> Self {
+        Self {
+            omega,
+            Gamma: [Gamma_x, Gamma_y],
+        }
+    }
+    fn to_array(&self) -> [T; 3] {
+        let Self { omega, Gamma: [Gamma_x, Gamma_y] } = *self;
+        [omega, Gamma_x, Gamma_y]
+    }
+}
+/// The invariants and observables.
+#[allow(non_snake_case, reason = "names as in the model")]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Outputs<T = f64> {
+    /// `energy` in `kg*m^2/s^2`
+    pub energy: T,
+    /// `θ`
+    pub theta: T,
+}
+#[allow(non_snake_case, reason = "names as in the model")]
+impl<T: ::core::marker::Copy> ::residua::Record<T> for Outputs<T> {
+    type Array = [T; 2];
+    fn from_array([energy, theta]: [T; 2]) -> Self {
+        Self { energy, theta }
+    }
+    fn to_array(&self) -> [T; 2] {
+        let Self { energy, theta } = *self;
+        [energy, theta]
+    }
+}
+/// Planar pendulum, reduced attitude Γ = Rᵀe₂.
+#[derive(Clone, Copy, Debug)]
+pub struct Model;
+#[allow(non_snake_case, reason = "names as in the model")]
+#[allow(clippy::approx_constant, reason = "numbers as in the model")]
+#[allow(
+    clippy::many_single_char_names,
+    clippy::suspicious_operation_groupings,
+    reason = "formulas"
+)]
+mod model {
+    /// The values of the file.
+    impl<T: ::residua::Scalar> ::core::default::Default for super::Parameters<T> {
+        fn default() -> Self {
+            let [c0_48, c0_6, two, c9_81] = [0.48, 0.6, 2.0, 9.81].map(T::constant);
+            Self {
+                m: two,
+                J: c0_48,
+                l: c0_6,
+                g: c9_81,
+            }
+        }
+    }
+    impl<T: ::residua::Scalar> ::residua::Model<T> for super::Model {
+        type Parameters = super::Parameters<T>;
+        type State = super::State<T>;
+        type Outputs = super::Outputs<T>;
+        const DESCRIPTION: &'static ::residua::Description = super::DESCRIPTION;
+        fn start(_parameters: &super::Parameters<T>) -> super::State<T> {
+            let [zero, one] = [0.0, 1.0].map(T::constant);
+            super::State {
+                omega: one,
+                Gamma: [zero, one],
+            }
+        }
+        fn outputs(
+            parameters: &super::Parameters<T>,
+            _h: T,
+            _t: T,
+            state: &super::State<T>,
+        ) -> super::Outputs<T> {
+            let super::Parameters { m, J, l, g } = *parameters;
+            let super::State { omega, Gamma: [Gamma_x, Gamma_y] } = *state;
+            let [half, two] = [0.5, 2.0].map(T::constant);
+            super::Outputs {
+                energy: half * (J * (omega * omega) - two * m * g * l * Gamma_y),
+                theta: Gamma_x.atan2(Gamma_y),
+            }
+        }
+    }
+}
+#[allow(non_snake_case, reason = "names as in the model")]
+#[allow(clippy::approx_constant, reason = "numbers as in the model")]
+#[allow(
+    clippy::many_single_char_names,
+    clippy::suspicious_operation_groupings,
+    reason = "formulas"
+)]
+mod flow {
+    /// What the flow needs of the parameters.
+    #[derive(Clone, Copy)]
+    pub struct Scene<T> {
+        m_g_l_over_J: T,
+    }
+    impl<T: ::residua::Scalar> ::residua::Flow<T> for super::Model {
+        type FlowScene = Scene<T>;
+        fn flow_scene(parameters: &super::Parameters<T>) -> Scene<T> {
+            let super::Parameters { m, J, l, g } = *parameters;
+            Scene {
+                m_g_l_over_J: m * g * l / J,
+            }
+        }
+        /// dx/dt, 3 components, lines 21 to 22: 3 multiplications.
+        fn flow(scene: &Scene<T>, _t: T, state: &[T; 3]) -> [T; 3] {
+            let Scene { m_g_l_over_J } = *scene;
+            let [omega, Gamma_x, Gamma_y] = *state;
+            [-m_g_l_over_J * Gamma_x, omega * Gamma_y, -omega * Gamma_x]
+        }
+    }
+}
+/// The solver whose unknowns are the next states, and those the model declares.
+#[derive(Clone, Copy, Debug)]
+pub struct Next;
+#[allow(non_snake_case, reason = "names as in the model")]
+#[allow(clippy::approx_constant, reason = "numbers as in the model")]
+#[allow(
+    clippy::many_single_char_names,
+    clippy::suspicious_operation_groupings,
+    reason = "formulas"
+)]
+mod next {
+    /// What a run needs of the parameters and h.
+    #[derive(Clone, Copy)]
+    pub struct Scene<T> {
+        two_J: T,
+        h: T,
+        h_m_g_l: T,
+    }
+    /// What a step needs of the known state and t.
+    #[derive(Clone, Copy)]
+    pub struct Step<T> {
+        omega: T,
+        Gamma_x: T,
+        Gamma_y: T,
+    }
+    impl<T: ::residua::Scalar> ::residua::System<T> for super::Next {
+        type Model = super::Model;
+        type Unknowns = [T; 3];
+        type Jacobian = [[T; 3]; 3];
+        type Scene = Scene<T>;
+        type Step = Step<T>;
+        const SOLVER: usize = 0;
+        fn zeros() -> ([T; 3], [[T; 3]; 3]) {
+            let zero = T::constant(0.0);
+            ([zero; 3], [[zero; 3]; 3])
+        }
+        /// Once per run: 4 multiplications.
+        fn scene(parameters: &super::Parameters<T>, h: T) -> Scene<T> {
+            let super::Parameters { m, J, l, g } = *parameters;
+            let two = T::constant(2.0);
+            Scene {
+                two_J: two * J,
+                h,
+                h_m_g_l: h * m * g * l,
+            }
+        }
+        /// Once per step: no operations.
+        fn step(_scene: &Scene<T>, _t: T, state: &[T; 3]) -> Step<T> {
+            let [omega, Gamma_x, Gamma_y] = *state;
+            Step { omega, Gamma_x, Gamma_y }
+        }
+        fn guess(_scene: &Scene<T>, step: &Step<T>) -> [T; 3] {
+            let Step { omega, Gamma_x, Gamma_y } = *step;
+            [omega, Gamma_x, Gamma_y]
+        }
+        /// r(x), 3 equations, lines 26 to 27: 9 additions, 7 multiplications.
+        ///
+        /// - row 0: `2*J*Δω + h*m*g*l*e1.T*(Γ[k+1] + Γ) = 0`
+        /// - rows 1 to 2: `4*ΔΓ + h*S(ω[k+1] + ω)*(Γ[k+1] + Γ) = 0`
+        fn residual(
+            scene: &Scene<T>,
+            step: &Step<T>,
+            unknowns: &[T; 3],
+            residual: &mut [T; 3],
+        ) {
+            let Scene { two_J, h, h_m_g_l } = *scene;
+            let Step { omega, Gamma_x, Gamma_y } = *step;
+            let [omega_next, Gamma_x_next, Gamma_y_next] = *unknowns;
+            let four = T::constant(4.0);
+            let Gamma_x_sum = Gamma_x_next + Gamma_x;
+            residual[0] = two_J * (omega_next - omega) + h_m_g_l * Gamma_x_sum;
+            let h_omega_sum = h * (omega_next + omega);
+            residual[1] = four * (Gamma_x_next - Gamma_x)
+                - h_omega_sum * (Gamma_y_next + Gamma_y);
+            residual[2] = h_omega_sum * Gamma_x_sum + four * (Gamma_y_next - Gamma_y);
+        }
+        /// r(x) and the 8 structural non-zeros of its Jacobian, lines 26 to 27: 9 additions, 9 multiplications.
+        fn residual_and_jacobian(
+            scene: &Scene<T>,
+            step: &Step<T>,
+            unknowns: &[T; 3],
+            residual: &mut [T; 3],
+            jacobian: &mut [[T; 3]; 3],
+        ) {
+            let Scene { two_J, h, h_m_g_l } = *scene;
+            let Step { omega, Gamma_x, Gamma_y } = *step;
+            let [omega_next, Gamma_x_next, Gamma_y_next] = *unknowns;
+            let four = T::constant(4.0);
+            let Gamma_x_sum = Gamma_x_next + Gamma_x;
+            residual[0] = two_J * (omega_next - omega) + h_m_g_l * Gamma_x_sum;
+            jacobian[0][0] = two_J;
+            jacobian[0][1] = h_m_g_l;
+            let h_omega_sum = h * (omega_next + omega);
+            let Gamma_y_sum = Gamma_y_next + Gamma_y;
+            residual[1] = four * (Gamma_x_next - Gamma_x) - h_omega_sum * Gamma_y_sum;
+            jacobian[1][0] = -h * Gamma_y_sum;
+            jacobian[1][1] = four;
+            jacobian[1][2] = -h_omega_sum;
+            residual[2] = h_omega_sum * Gamma_x_sum + four * (Gamma_y_next - Gamma_y);
+            jacobian[2][0] = h * Gamma_x_sum;
+            jacobian[2][1] = h_omega_sum;
+            jacobian[2][2] = four;
+        }
+        /// The state after the step: no operations.
+        fn next(_scene: &Scene<T>, _step: &Step<T>, unknowns: &[T; 3]) -> [T; 3] {
+            let [omega_next, Gamma_x_next, Gamma_y_next] = *unknowns;
+            [omega_next, Gamma_x_next, Gamma_y_next]
+        }
+    }
+}
+/// The solver whose unknowns are the increments, and those the model declares.
+#[derive(Clone, Copy, Debug)]
+pub struct Increment;
+#[allow(non_snake_case, reason = "names as in the model")]
+#[allow(clippy::approx_constant, reason = "numbers as in the model")]
+#[allow(
+    clippy::many_single_char_names,
+    clippy::suspicious_operation_groupings,
+    reason = "formulas"
+)]
+mod increment {
+    /// What a run needs of the parameters and h.
+    #[derive(Clone, Copy)]
+    pub struct Scene<T> {
+        two_J: T,
+        h: T,
+        h_m_g_l: T,
+    }
+    /// What a step needs of the known state and t.
+    #[derive(Clone, Copy)]
+    pub struct Step<T> {
+        Gamma_x: T,
+        two_Gamma_x: T,
+        omega: T,
+        two_omega: T,
+        Gamma_y: T,
+        two_Gamma_y: T,
+    }
+    impl<T: ::residua::Scalar> ::residua::System<T> for super::Increment {
+        type Model = super::Model;
+        type Unknowns = [T; 3];
+        type Jacobian = [[T; 3]; 3];
+        type Scene = Scene<T>;
+        type Step = Step<T>;
+        const SOLVER: usize = 1;
+        fn zeros() -> ([T; 3], [[T; 3]; 3]) {
+            let zero = T::constant(0.0);
+            ([zero; 3], [[zero; 3]; 3])
+        }
+        /// Once per run: 4 multiplications.
+        fn scene(parameters: &super::Parameters<T>, h: T) -> Scene<T> {
+            let super::Parameters { m, J, l, g } = *parameters;
+            let two = T::constant(2.0);
+            Scene {
+                two_J: two * J,
+                h,
+                h_m_g_l: h * m * g * l,
+            }
+        }
+        /// Once per step: 3 multiplications.
+        fn step(_scene: &Scene<T>, _t: T, state: &[T; 3]) -> Step<T> {
+            let [omega, Gamma_x, Gamma_y] = *state;
+            let two = T::constant(2.0);
+            Step {
+                Gamma_x,
+                two_Gamma_x: two * Gamma_x,
+                omega,
+                two_omega: two * omega,
+                Gamma_y,
+                two_Gamma_y: two * Gamma_y,
+            }
+        }
+        fn guess(_scene: &Scene<T>, _step: &Step<T>) -> [T; 3] {
+            let zero = T::constant(0.0);
+            [zero, zero, zero]
+        }
+        /// r(x), 3 equations, lines 26 to 27: 6 additions, 7 multiplications.
+        ///
+        /// - row 0: `2*J*Δω + h*m*g*l*e1.T*(Γ[k+1] + Γ) = 0`
+        /// - rows 1 to 2: `4*ΔΓ + h*S(ω[k+1] + ω)*(Γ[k+1] + Γ) = 0`
+        fn residual(
+            scene: &Scene<T>,
+            step: &Step<T>,
+            unknowns: &[T; 3],
+            residual: &mut [T; 3],
+        ) {
+            let Scene { two_J, h, h_m_g_l } = *scene;
+            let Step { two_Gamma_x, two_omega, two_Gamma_y, .. } = *step;
+            let [Delta_omega, Delta_Gamma_x, Delta_Gamma_y] = *unknowns;
+            let four = T::constant(4.0);
+            let Gamma_x_sum = Delta_Gamma_x + two_Gamma_x;
+            residual[0] = two_J * Delta_omega + h_m_g_l * Gamma_x_sum;
+            let h_omega_sum = h * (Delta_omega + two_omega);
+            residual[1] = four * Delta_Gamma_x
+                - h_omega_sum * (Delta_Gamma_y + two_Gamma_y);
+            residual[2] = four * Delta_Gamma_y + h_omega_sum * Gamma_x_sum;
+        }
+        /// r(x) and the 8 structural non-zeros of its Jacobian, lines 26 to 27: 6 additions, 9 multiplications.
+        fn residual_and_jacobian(
+            scene: &Scene<T>,
+            step: &Step<T>,
+            unknowns: &[T; 3],
+            residual: &mut [T; 3],
+            jacobian: &mut [[T; 3]; 3],
+        ) {
+            let Scene { two_J, h, h_m_g_l } = *scene;
+            let Step { two_Gamma_x, two_omega, two_Gamma_y, .. } = *step;
+            let [Delta_omega, Delta_Gamma_x, Delta_Gamma_y] = *unknowns;
+            let four = T::constant(4.0);
+            let Gamma_x_sum = Delta_Gamma_x + two_Gamma_x;
+            residual[0] = two_J * Delta_omega + h_m_g_l * Gamma_x_sum;
+            jacobian[0][0] = two_J;
+            jacobian[0][1] = h_m_g_l;
+            let h_omega_sum = h * (Delta_omega + two_omega);
+            let Gamma_y_sum = Delta_Gamma_y + two_Gamma_y;
+            residual[1] = four * Delta_Gamma_x - h_omega_sum * Gamma_y_sum;
+            jacobian[1][0] = -h * Gamma_y_sum;
+            jacobian[1][1] = four;
+            jacobian[1][2] = -h_omega_sum;
+            residual[2] = four * Delta_Gamma_y + h_omega_sum * Gamma_x_sum;
+            jacobian[2][0] = h * Gamma_x_sum;
+            jacobian[2][1] = h_omega_sum;
+            jacobian[2][2] = four;
+        }
+        /// The state after the step: 3 additions.
+        fn next(_scene: &Scene<T>, step: &Step<T>, unknowns: &[T; 3]) -> [T; 3] {
+            let Step { Gamma_x, omega, Gamma_y, .. } = *step;
+            let [Delta_omega, Delta_Gamma_x, Delta_Gamma_y] = *unknowns;
+            [Delta_omega + omega, Delta_Gamma_x + Gamma_x, Delta_Gamma_y + Gamma_y]
+        }
+    }
+}
+/// Names, shapes, units and texts.
+pub const DESCRIPTION: &::residua::Description = &::residua::Description {
+    name: "planar",
+    doc: "Planar pendulum, reduced attitude Γ = Rᵀe₂.",
+    parameters: &[
+        ::residua::description::Variable {
+            name: "m",
+            ascii: "m",
+            rows: 1,
+            cols: 1,
+            unit: "kg",
+            doc: "mass",
+        },
+        ::residua::description::Variable {
+            name: "J",
+            ascii: "J",
+            rows: 1,
+            cols: 1,
+            unit: "kg*m^2",
+            doc: "moment of inertia about the pivot",
+        },
+        ::residua::description::Variable {
+            name: "l",
+            ascii: "l",
+            rows: 1,
+            cols: 1,
+            unit: "m",
+            doc: "distance from the pivot to the centre of mass",
+        },
+        ::residua::description::Variable {
+            name: "g",
+            ascii: "g",
+            rows: 1,
+            cols: 1,
+            unit: "m/s^2",
+            doc: "gravity",
+        },
+    ],
+    states: &[
+        ::residua::description::Variable {
+            name: "ω",
+            ascii: "omega",
+            rows: 1,
+            cols: 1,
+            unit: "1/s",
+            doc: "angular velocity",
+        },
+        ::residua::description::Variable {
+            name: "Γ",
+            ascii: "Gamma",
+            rows: 2,
+            cols: 1,
+            unit: "1",
+            doc: "second row of the rotation matrix",
+        },
+    ],
+    outputs: &[
+        ::residua::description::Output {
+            variable: ::residua::description::Variable {
+                name: "energy",
+                ascii: "energy",
+                rows: 1,
+                cols: 1,
+                unit: "kg*m^2/s^2",
+                doc: "",
+            },
+            invariant: true,
+        },
+        ::residua::description::Output {
+            variable: ::residua::description::Variable {
+                name: "θ",
+                ascii: "theta",
+                rows: 1,
+                cols: 1,
+                unit: "1",
+                doc: "",
+            },
+            invariant: false,
+        },
+    ],
+    solvers: &[
+        ::residua::description::Solver {
+            form: "next",
+            unknowns: &[
+                ::residua::description::Unknown {
+                    name: "ω[k+1]",
+                    len: 1,
+                    state: ::core::option::Option::Some(0),
+                },
+                ::residua::description::Unknown {
+                    name: "Γ[k+1]",
+                    len: 2,
+                    state: ::core::option::Option::Some(1),
+                },
+            ],
+            equations: &[
+                ::residua::description::Equation {
+                    text: "2*J*Δω + h*m*g*l*e1.T*(Γ[k+1] + Γ) = 0",
+                    line: 26,
+                    len: 1,
+                },
+                ::residua::description::Equation {
+                    text: "4*ΔΓ + h*S(ω[k+1] + ω)*(Γ[k+1] + Γ) = 0",
+                    line: 27,
+                    len: 2,
+                },
+            ],
+            pattern: &[(0, 0), (0, 1), (1, 0), (1, 1), (1, 2), (2, 0), (2, 1), (2, 2)],
+            counts: &[
+                (
+                    "scene",
+                    ::residua::description::Count {
+                        additions: 0,
+                        multiplications: 4,
+                        divisions: 0,
+                        calls: 0,
+                    },
+                ),
+                (
+                    "step",
+                    ::residua::description::Count {
+                        additions: 0,
+                        multiplications: 0,
+                        divisions: 0,
+                        calls: 0,
+                    },
+                ),
+                (
+                    "guess",
+                    ::residua::description::Count {
+                        additions: 0,
+                        multiplications: 0,
+                        divisions: 0,
+                        calls: 0,
+                    },
+                ),
+                (
+                    "residual",
+                    ::residua::description::Count {
+                        additions: 9,
+                        multiplications: 7,
+                        divisions: 0,
+                        calls: 0,
+                    },
+                ),
+                (
+                    "residual_and_jacobian",
+                    ::residua::description::Count {
+                        additions: 9,
+                        multiplications: 9,
+                        divisions: 0,
+                        calls: 0,
+                    },
+                ),
+                (
+                    "next",
+                    ::residua::description::Count {
+                        additions: 0,
+                        multiplications: 0,
+                        divisions: 0,
+                        calls: 0,
+                    },
+                ),
+            ],
+        },
+        ::residua::description::Solver {
+            form: "increment",
+            unknowns: &[
+                ::residua::description::Unknown {
+                    name: "Δω",
+                    len: 1,
+                    state: ::core::option::Option::Some(0),
+                },
+                ::residua::description::Unknown {
+                    name: "ΔΓ",
+                    len: 2,
+                    state: ::core::option::Option::Some(1),
+                },
+            ],
+            equations: &[
+                ::residua::description::Equation {
+                    text: "2*J*Δω + h*m*g*l*e1.T*(Γ[k+1] + Γ) = 0",
+                    line: 26,
+                    len: 1,
+                },
+                ::residua::description::Equation {
+                    text: "4*ΔΓ + h*S(ω[k+1] + ω)*(Γ[k+1] + Γ) = 0",
+                    line: 27,
+                    len: 2,
+                },
+            ],
+            pattern: &[(0, 0), (0, 1), (1, 0), (1, 1), (1, 2), (2, 0), (2, 1), (2, 2)],
+            counts: &[
+                (
+                    "scene",
+                    ::residua::description::Count {
+                        additions: 0,
+                        multiplications: 4,
+                        divisions: 0,
+                        calls: 0,
+                    },
+                ),
+                (
+                    "step",
+                    ::residua::description::Count {
+                        additions: 0,
+                        multiplications: 3,
+                        divisions: 0,
+                        calls: 0,
+                    },
+                ),
+                (
+                    "guess",
+                    ::residua::description::Count {
+                        additions: 0,
+                        multiplications: 0,
+                        divisions: 0,
+                        calls: 0,
+                    },
+                ),
+                (
+                    "residual",
+                    ::residua::description::Count {
+                        additions: 6,
+                        multiplications: 7,
+                        divisions: 0,
+                        calls: 0,
+                    },
+                ),
+                (
+                    "residual_and_jacobian",
+                    ::residua::description::Count {
+                        additions: 6,
+                        multiplications: 9,
+                        divisions: 0,
+                        calls: 0,
+                    },
+                ),
+                (
+                    "next",
+                    ::residua::description::Count {
+                        additions: 3,
+                        multiplications: 0,
+                        divisions: 0,
+                        calls: 0,
+                    },
+                ),
+            ],
+        },
+    ],
+    claims: &[
+        ::residua::description::Claim {
+            label: "misprinted",
+            line: 36,
+            differences: &[
+                ::residua::description::Difference {
+                    row: 1,
+                    col: 1,
+                    entry: "∂(equation 2.1)/∂(Γ[k+1].x)",
+                    printed: "2",
+                    derived: "4",
+                    values: (2.0, 4.0),
+                },
+                ::residua::description::Difference {
+                    row: 2,
+                    col: 2,
+                    entry: "∂(equation 2.2)/∂(Γ[k+1].y)",
+                    printed: "2",
+                    derived: "4",
+                    values: (2.0, 4.0),
+                },
+            ],
+        },
+    ],
+    has_flow: true,
+};
+/// The model behind one face, for programs that pick models at run time.
+pub static MODEL: ::residua::Catalogued = ::residua::Catalogued {
+    description: DESCRIPTION,
+    model: &::residua::erased::ErasedModel::<Model>::NEW,
+    solvers: &[
+        &::residua::erased::ErasedSolver::<Next>::NEW,
+        &::residua::erased::ErasedSolver::<Increment>::NEW,
+    ],
+    flow: ::core::option::Option::Some(&::residua::erased::ErasedFlow::<Model>::NEW),
+};
