@@ -61,12 +61,41 @@ pub fn lex(text: &str) -> Result<TokenStream, SourceError> {
     check_brackets(text)?;
     TokenStream::from_str(text).map_err(|error| {
         let start = error.span().start();
-        let message = "expected a token of Rust".to_owned();
+        let line = text.lines().nth(start.line - 1).unwrap_or_default();
+        let message = match line.chars().nth(start.column) {
+            Some(character) => foreign(character),
+            None => "expected a number, a name or a sign".to_owned(),
+        };
         SourceError {
             lexical: true,
             ..at(start.line, start.column + 1, message)
         }
     })
+}
+
+/// What to write for a character that no model contains.
+fn foreign(character: char) -> String {
+    let write = match character {
+        '\'' => "expected x.T for the transpose or der(x) for the rate",
+        '∆' => "expected the Greek letter `Δ`, U+0394",
+        '−' | '–' => "expected the ASCII `-`",
+        '×' | '⋅' | '∗' => "expected `*`",
+        '÷' => "expected `/`",
+        '²' => "expected `^2`",
+        '³' => "expected `^3`",
+        'ᵀ' | '⊤' => "expected `.T`",
+        '½' => "expected `1/2`",
+        '√' => "expected sqrt(x)",
+        '∂' | '∇' => "derivatives are taken by the generator",
+        '₀'..='₉' => "expected a plain digit, as in `Γ1`",
+        _ => "expected a number, a name or a sign",
+    };
+    let shown = if character.is_control() {
+        character.escape_unicode().to_string()
+    } else {
+        character.to_string()
+    };
+    format!("found `{shown}`, {write}")
 }
 
 fn at(line: usize, column: usize, message: String) -> SourceError {
@@ -90,12 +119,16 @@ fn not_utf8(bytes: &[u8], valid: usize) -> SourceError {
 fn check_brackets(text: &str) -> Result<(), SourceError> {
     let mut open: Vec<(char, usize, usize)> = Vec::new();
     let mut skip = Skip::Nothing;
+    let mut skipped_from = (1, 1);
     let mut before = ' ';
     let (mut line, mut column) = (1, 0);
     for character in text.chars() {
         column += 1;
         let was = skip;
         skip = skip.after(before, character);
+        if was == Skip::Nothing {
+            skipped_from = (line, column);
+        }
         if was == Skip::Nothing && skip == Skip::Nothing {
             match character {
                 '(' | '[' | '{' => open.push((character, line, column)),
@@ -117,16 +150,20 @@ fn check_brackets(text: &str) -> Result<(), SourceError> {
             (line, column) = (line + 1, 0);
         }
     }
-    match open.last() {
-        None => Ok(()),
-        Some(&(bracket, line, column)) => {
-            let message = format!("this `{bracket}` is never closed");
-            Err(SourceError {
-                lexical: true,
-                ..at(line, column, message)
-            })
+    let unclosed = match (skip, open.last()) {
+        (Skip::String, _) => Some(("string".to_owned(), skipped_from)),
+        (Skip::Block(_), _) => Some(("comment".to_owned(), skipped_from)),
+        (Skip::Nothing | Skip::Line, Some(&(bracket, line, column))) => {
+            Some((format!("`{bracket}`"), (line, column)))
         }
-    }
+        (Skip::Nothing | Skip::Line, None) => None,
+    };
+    unclosed.map_or(Ok(()), |(what, (line, column))| {
+        Err(SourceError {
+            lexical: true,
+            ..at(line, column, format!("this {what} is never closed"))
+        })
+    })
 }
 
 fn close(

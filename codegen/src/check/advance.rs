@@ -68,6 +68,7 @@ impl<'a> Advance<'a> {
         if let Some((list, keyword)) = block
             && list.len() == residual.len()
             && !list.is_empty()
+            && !self.states.is_empty()
         {
             self.check_residual(typing, residual, keyword);
         }
@@ -138,7 +139,7 @@ impl<'a> Advance<'a> {
             }
             complete = false;
             let shown = &state.name.display;
-            let message = format!("state `{shown}` is never advanced");
+            let message = format!("the state `{shown}` is never advanced");
             let help = match self.update[i] {
                 Some(_) => format!(
                     "its update needs its own next value, so `residual` must determine {shown}[k+1]"
@@ -177,9 +178,14 @@ impl<'a> Advance<'a> {
             .iter()
             .map(|(name, n)| format!("{name} ({n})"))
             .collect();
-        let message = format!("{n_equations} scalar equations for {n_unknowns} scalar unknowns");
-        let help = format!("the unknowns are {}", list.join(", "));
-        typing.errors.push_with_help(keyword, message, help);
+        let equations = counted(n_equations, "scalar equation");
+        let message = format!("{equations} for {}", counted(n_unknowns, "scalar unknown"));
+        if list.is_empty() {
+            typing.errors.push(keyword, message);
+        } else {
+            let help = format!("the unknowns are {}", list.join(", "));
+            typing.errors.push_with_help(keyword, message, help);
+        }
     }
 
     /// What `roots` contain.
@@ -210,6 +216,12 @@ impl<'a> Advance<'a> {
     fn shown(&self, state: usize) -> String {
         format!("`{}`", self.states[state].name.display)
     }
+}
+
+/// `1 state`, `2 states`
+pub(super) fn counted(n: usize, noun: &str) -> String {
+    let plural = if n == 1 { "" } else { "s" };
+    format!("{n} {noun}{plural}")
 }
 
 /// The state whose next value an operation needs.

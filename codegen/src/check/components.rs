@@ -25,7 +25,7 @@ impl Typing<'_> {
 
     /// `a.x`, `a.y`, `a.z`: component `number` of a vector.
     pub(super) fn field(&mut self, a: ExprId, number: usize, range: Range) -> ExprId {
-        let shape = match self.vector_shape(a, range) {
+        let shape = match self.vector_shape(a, range, "write the name alone") {
             Ok(shape) => shape,
             Err(poison) => return poison,
         };
@@ -43,21 +43,20 @@ impl Typing<'_> {
 
     /// `a(i)` or `a(i, j)`, counted from 1.
     pub(super) fn component(&mut self, a: ExprId, indices: &[ExprId], range: Range) -> ExprId {
-        let shape = match self.vector_shape(a, range) {
+        let product = "write `*` in front of the bracket for a product";
+        let shape = match self.vector_shape(a, range, product) {
             Ok(shape) => shape,
             Err(poison) => return poison,
         };
-        let is_row = shape.rows == 1;
-        let limits = match indices.len() {
-            1 if is_row => vec![shape.cols],
-            1 if shape.cols == 1 => vec![shape.rows],
-            2 => vec![shape.rows, shape.cols],
-            n => {
-                let expected = if shape.cols == 1 { "(i)" } else { "(i, j)" };
-                let message = format!("expected the indices {expected} of a {shape}, found {n}");
-                return self.fail(range, message);
-            }
+        let (limits, usage) = if shape.rows == 1 || shape.cols == 1 {
+            (vec![shape.len()], "one index (i)")
+        } else {
+            (vec![shape.rows, shape.cols], "two indices (i, j)")
         };
+        let found = indices.len();
+        if found != limits.len() {
+            return self.fail(range, format!("a {shape} takes {usage}, found {found}"));
+        }
         let mut position = 0;
         for (&index, limit) in indices.iter().zip(limits) {
             match self.index(index, limit) {
@@ -74,29 +73,28 @@ impl Typing<'_> {
         if matches!(self.ty(id), Type::Poison) {
             return Err(self.poison(range));
         }
-        let Some(value) = self.fact(id).constant.filter(|c| c.is_integer()) else {
+        let Some(value) = self.fact(id).constant else {
             let message = "expected a constant integer as the index of a component";
             let help = "write `*` in front of the bracket for a product";
             return Err(self.fail_with_help(range, message, help));
         };
-        match usize::try_from(value.to_integer()) {
-            Ok(i) if (1..=limit).contains(&i) => Ok(i - 1),
-            _ => {
+        let position = usize::try_from(value.to_integer()).ok();
+        match position.filter(|i| value.is_integer() && (1..=limit).contains(i)) {
+            Some(i) => Ok(i - 1),
+            None => {
                 let message = format!("expected an index from 1 to {limit}, found {value}");
                 Err(self.fail(range, message))
             }
         }
     }
 
-    /// The shape of something that has components.
-    fn vector_shape(&mut self, a: ExprId, range: Range) -> Result<Shape, ExprId> {
+    /// The shape of something that has components; `help` is for scalars.
+    fn vector_shape(&mut self, a: ExprId, range: Range, help: &str) -> Result<Shape, ExprId> {
         match self.ty(a) {
             Type::Poison => Err(self.poison(range)),
             Type::Multiple(_) => Err(self.fail(range, "the size of `I` is not known here")),
             Type::Matrix(shape, _) if shape.is_scalar() => {
-                let message = "a scalar has no components";
-                let help = "write `*` in front of the bracket for a product";
-                Err(self.fail_with_help(range, message, help))
+                Err(self.fail_with_help(range, "a scalar has no components", help))
             }
             Type::Matrix(shape, _) => Ok(*shape),
         }

@@ -7,53 +7,37 @@ use super::statements::Statements;
 use super::symbols::Builtin;
 use super::symbols::Kind;
 use super::symbols::Symbols;
-use crate::ast;
-use crate::ast::Ast;
+use super::typing::Typing;
 use crate::ast::ExprId;
 use crate::ast::ExprKind;
 use crate::ast::Level;
 use crate::ast::Name;
 use crate::ast::OutputKind;
-use crate::diagnostic::Errors;
 
 /// Complains about names that may not stand where they do.
-pub(super) fn check_all<'a>(
-    ast: &'a Ast,
-    statements: &Statements<'a>,
-    symbols: &Symbols<'a>,
-    errors: &mut Errors,
-) {
-    let mut check = |context, roots: Vec<Root<'a>>| {
-        check(&ast.exprs, symbols, context, roots, errors);
-    };
-    let declared = |kind| {
-        let values = symbols.of_kind(kind);
-        let roots = values.filter_map(|(_, s)| Some((Some(s.name), s.value?)));
-        roots.collect::<Vec<_>>()
-    };
-    check(Context::Default, declared(Kind::Parameter));
-    check(Context::Guess, declared(Kind::Unknown));
+pub(super) fn check_all<'a>(typing: &mut Typing<'a>, statements: &Statements<'a>) {
+    check_values(typing, Kind::Parameter, Context::Default);
+    check_values(typing, Kind::Unknown, Context::Guess);
+    check_values(
+        typing,
+        Kind::Output(OutputKind::Observable),
+        Context::Output,
+    );
     if let Some((list, _)) = statements.start {
         let roots = list.iter().map(|a| (Some(&a.name), a.value));
-        check(Context::Start, roots.collect());
+        check(typing, Context::Start, roots.collect());
     }
     if let Some((list, _)) = statements.flow {
         let roots = list.iter().flat_map(|e| [(None, e.lhs), (None, e.rhs)]);
-        check(Context::Flow, roots.collect());
+        check(typing, Context::Flow, roots.collect());
     }
-    check_outputs(ast, symbols, Context::Output, errors);
 }
 
-/// The same for invariants and observables, which stand in `context`.
-pub(super) fn check_outputs<'a>(
-    ast: &'a Ast,
-    symbols: &Symbols<'a>,
-    context: Context,
-    errors: &mut Errors,
-) {
-    let outputs = symbols.of_kind(Kind::Output(OutputKind::Observable));
-    let roots = outputs.filter_map(|(_, s)| Some((Some(s.name), s.value?)));
-    check(&ast.exprs, symbols, context, roots.collect(), errors);
+/// The same for the values of all declarations of one kind, which stand in `context`.
+pub(super) fn check_values(typing: &mut Typing, kind: Kind, context: Context) {
+    let values = typing.symbols.of_kind(kind);
+    let roots = values.filter_map(|(_, s)| Some((Some(s.name), s.value?)));
+    check(typing, context, roots.collect());
 }
 
 /// An expression and the name that it gives a value to, if there is one.
@@ -92,7 +76,9 @@ impl Context {
     /// What it may contain, in words.
     fn allowed(self) -> &'static str {
         match self {
-            Context::Default => "it may contain numbers and constant `let`s only",
+            Context::Default => {
+                "it may contain numbers only; what depends on parameters can be a `let`"
+            }
             Context::Guess => "it may contain parameters, h, t and states at step k",
             Context::Start | Context::Value => "it may contain parameters only",
             Context::Flow => "it may contain parameters, t, states and rates, without time levels",
@@ -130,14 +116,10 @@ enum Mention {
     StepSize,
 }
 
-/// Looks for names that may not stand in `context`.
-fn check<'a>(
-    source: &'a [ast::Expr],
-    symbols: &Symbols<'a>,
-    context: Context,
-    roots: Vec<Root<'a>>,
-    errors: &mut Errors,
-) {
+/// Looks for names that may not stand in `context`. What is wrong with one that stands there itself,
+/// not in a `let`, is told by that, so it gets no type.
+fn check<'a>(typing: &mut Typing<'a>, context: Context, roots: Vec<Root<'a>>) {
+    let (source, symbols) = (typing.source, typing.symbols);
     // What has been looked at is fine or complained about already.
     let mut seen = vec![false; source.len()];
     for (owner, root) in roots {
@@ -154,14 +136,20 @@ fn check<'a>(
             let Some(mention) = mention(&expr.kind, symbols) else {
                 continue;
             };
-            if !context.allows(mention) {
-                let (noun, shown) = (context.noun(owner), shown(&expr.kind));
-                let through = through.map_or_else(String::new, |name| {
-                    format!(", as it does through `let {}`", name.display)
-                });
-                let message = format!("{noun} cannot contain `{shown}`{through}");
-                errors.push_with_help(expr.range, message, context.allowed());
+            if context.allows(mention) {
+                continue;
             }
+            let (noun, shown) = (context.noun(owner), shown(&expr.kind));
+            let through = match through {
+                Some(name) => format!(", as it does through `let {}`", name.display),
+                None => {
+                    typing.doubt(id);
+                    String::new()
+                }
+            };
+            let message = format!("{noun} cannot contain `{shown}`{through}");
+            let help = context.allowed();
+            typing.errors.push_with_help(expr.range, message, help);
         }
     }
 }

@@ -39,11 +39,10 @@ fn evaluate(written: &UnitExpr, errors: &mut Errors) -> Unit {
                     format!("`{shown}` is not a coherent SI unit"),
                     format!("write {coherent} and {factor} times the value"),
                 ),
-                None => {
-                    let known: Vec<_> = unit::symbols().collect();
-                    let help = format!("known are {} and 1", known.join(", "));
-                    (format!("unknown unit `{shown}`"), help)
-                }
+                None => (
+                    format!("unknown unit `{shown}`"),
+                    similar_unit(&symbol.ascii),
+                ),
             };
             errors.push_with_help(symbol.range, message, help);
             return Unit::ONE;
@@ -55,6 +54,17 @@ fn evaluate(written: &UnitExpr, errors: &mut Errors) -> Unit {
         errors.push(written.range, "the exponent of a unit is too large here");
         Unit::ONE
     })
+}
+
+/// What to write for an unknown unit.
+fn similar_unit(symbol: &str) -> String {
+    match unit::symbols().find(|known| known.eq_ignore_ascii_case(symbol)) {
+        Some(known) => format!("did you mean `{known}`?"),
+        None => {
+            let known: Vec<_> = unit::symbols().collect();
+            format!("known are {} and 1", known.join(", "))
+        }
+    }
 }
 
 /// The shape as written.
@@ -190,5 +200,6 @@ fn mentioned(source: &[ast::Expr], symbols: &Symbols, root: ExprId) -> Vec<usize
             names.extend(symbols.find(name));
         }
     }
+    names.dedup();
     names
 }

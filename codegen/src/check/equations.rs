@@ -1,5 +1,6 @@
 //! Equations and claims: do both sides have one shape and one unit?
 
+use super::statements::Block;
 use super::types::Type;
 use super::typing::Typing;
 use crate::ast;
@@ -8,6 +9,11 @@ use crate::model::Claim;
 use crate::model::Equation;
 
 impl Typing<'_> {
+    /// The discrete equations.
+    pub(super) fn residual(&mut self, block: Block<ast::Equation>) -> Vec<Equation> {
+        block.map_or_else(Vec::new, |(list, _)| self.equations(list))
+    }
+
     /// The equations of a block; those with a mistake are left out.
     pub(super) fn equations(&mut self, list: &[ast::Equation]) -> Vec<Equation> {
         list.iter().filter_map(|e| self.equation(e)).collect()

@@ -1,5 +1,6 @@
 //! The flow: does it determine the rates?
 
+use super::advance::counted;
 use super::statements::Block;
 use super::typing::Typing;
 use crate::ast;
@@ -50,7 +51,8 @@ impl Typing<'_> {
         let n_equations: usize = flow.iter().map(|e| e.shape.len()).sum();
         let n_rates: usize = states.iter().map(|s| s.shape.len()).sum();
         if complete && n_equations != n_rates {
-            let message = format!("{n_equations} scalar equations for {n_rates} scalar rates");
+            let equations = counted(n_equations, "scalar equation");
+            let message = format!("{equations} for {}", counted(n_rates, "scalar rate"));
             self.errors.push(keyword, message);
         }
     }

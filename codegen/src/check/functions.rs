@@ -17,6 +17,13 @@ use num_rational::Ratio;
 /// Largest order of `stumpff`. The equations of rigid bodies need up to 3, their derivatives a few more.
 const LARGEST_STUMPFF: i64 = 20;
 
+/// The call under inspection.
+#[derive(Clone, Copy)]
+struct Call {
+    function: Function,
+    range: Range,
+}
+
 /// 2×2
 const PLANE: Shape = Shape { rows: 2, cols: 2 };
 
@@ -36,26 +43,28 @@ impl Typing<'_> {
         if let Some(n) = takes.filter(|&n| n != usize::MAX && n != found) {
             let name = function.name();
             let plural = if n == 1 { "" } else { "s" };
-            let message = format!("{name} takes {n} argument{plural}, found {found}");
+            let message = format!("`{name}` takes {n} argument{plural}, found {found}");
             return self.fail(range, message);
         }
         let poisoned = |id: &ExprId| matches!(self.ty(*id), Type::Poison);
         if arguments.iter().any(poisoned) {
             return self.poison(range);
         }
-        match self.call_type(function, &arguments, range) {
+        let call = Call { function, range };
+        match self.call_type(call, &arguments) {
             Some(ty) => self.push(Op::Call(function, arguments), ty, range),
             None => self.poison(range),
         }
     }
 
     /// The type of a call; none after a complaint.
-    fn call_type(&mut self, function: Function, args: &[ExprId], range: Range) -> Option<Type> {
+    fn call_type(&mut self, call: Call, args: &[ExprId]) -> Option<Type> {
+        let range = call.range;
         let one = Some(Unit::ONE);
         let is_matrix = self.ty(args[0]).shape().is_some_and(|s| !s.is_scalar());
-        Some(match function {
-            Function::Exp if is_matrix => self.rotation(args[0])?,
-            Function::Cay => self.rotation(args[0])?,
+        Some(match call.function {
+            Function::Exp if is_matrix => self.rotation(call, args[0])?,
+            Function::Cay => self.rotation(call, args[0])?,
             Function::Sin
             | Function::Cos
             | Function::Tan
@@ -69,107 +78,118 @@ impl Typing<'_> {
             | Function::Log
             | Function::Sinc
             | Function::Cosc => {
-                self.dimensionless_scalar(args[0])?;
+                self.dimensionless_scalar(call, args[0])?;
                 Type::scalar(one)
             }
             Function::Atan2 => {
-                let units = [self.scalar(args[0])?, self.scalar(args[1])?];
+                let units = [self.scalar(call, args[0])?, self.scalar(call, args[1])?];
                 self.one_unit(&units, range, "the arguments of atan2");
                 Type::scalar(one)
             }
             Function::Sqrt => {
-                let unit = self.scalar(args[0])?;
+                let unit = self.scalar(call, args[0])?;
                 Type::scalar(self.raised(unit, Ratio::new_raw(1, 2)))
             }
-            Function::Abs => Type::scalar(self.scalar(args[0])?),
+            Function::Abs => Type::scalar(self.scalar(call, args[0])?),
             Function::Sign => {
-                self.scalar(args[0])?;
+                self.scalar(call, args[0])?;
                 Type::scalar(one)
             }
             Function::Stumpff => {
                 self.stumpff_order(args[0])?;
-                self.dimensionless_scalar(args[1])?;
+                self.dimensionless_scalar(call, args[1])?;
                 Type::scalar(one)
             }
             Function::Norm => {
-                let (_, units) = self.vector(args[0])?;
+                let (_, units) = self.vector(call, args[0])?;
                 Type::scalar(self.one_unit(&units, range, "the components of this vector"))
             }
-            Function::Dot => self.dot(args, range)?,
-            Function::Cross => self.cross(args, range)?,
-            Function::Skew => self.skew(args[0])?,
-            Function::Vee => self.vee(args[0], range)?,
+            Function::Dot => self.dot(call, args)?,
+            Function::Cross => self.cross(call, args)?,
+            Function::Skew => self.skew(call, args[0])?,
+            Function::Vee => self.vee(call, args[0])?,
             Function::Rx | Function::Ry | Function::Rz => {
-                self.dimensionless_scalar(args[0])?;
+                self.dimensionless_scalar(call, args[0])?;
                 Type::uniform(SPACE, one)
             }
-            Function::Diag => self.diag(args, range)?,
+            Function::Diag => self.diag(call, args)?,
             Function::Trace => {
-                let (n, units) = self.square(args[0], usize::MAX)?;
+                let (n, units) = self.square(call, args[0], usize::MAX)?;
                 let diagonal: Vec<_> = (0..n).map(|i| units[i * (n + 1)]).collect();
                 Type::scalar(self.one_unit(&diagonal, range, "the diagonal of this matrix"))
             }
             Function::Det => {
-                let (n, units) = self.square(args[0], 3)?;
-                Type::scalar(self.determinant(n, &units, range))
+                let (n, units) = self.square(call, args[0], 3)?;
+                Type::scalar(self.determinant(n, &units, call.range))
             }
-            Function::Inv => self.inverse(args[0], range)?,
+            Function::Inv => self.inverse(call, args[0])?,
         })
     }
 
-    fn wrong<T>(&mut self, id: ExprId, expected: &str) -> Option<T> {
-        let message = format!("expected {expected}, found {}", self.ty(id).noun());
+    fn wrong<T>(&mut self, call: Call, id: ExprId, expected: &str) -> Option<T> {
+        let (name, found) = (call.function.name(), self.ty(id).noun());
+        let message = format!("`{name}` takes {expected}, found {found}");
         self.errors.push(self.range(id), message);
         None
     }
 
-    fn scalar(&mut self, id: ExprId) -> Option<ComponentUnit> {
+    fn scalar(&mut self, call: Call, id: ExprId) -> Option<ComponentUnit> {
         match self.ty(id) {
             Type::Matrix(shape, units) if shape.is_scalar() => Some(units[0]),
-            _ => self.wrong(id, "a scalar"),
+            _ => self.wrong(call, id, "a scalar"),
         }
     }
 
-    fn dimensionless_scalar(&mut self, id: ExprId) -> Option<()> {
-        let unit = self.scalar(id)?;
-        self.dimensionless(id, &[unit]);
+    fn dimensionless_scalar(&mut self, call: Call, id: ExprId) -> Option<()> {
+        let unit = self.scalar(call, id)?;
+        self.dimensionless(call, id, &[unit]);
         Some(())
     }
 
-    fn dimensionless(&mut self, id: ExprId, units: &[ComponentUnit]) {
+    fn dimensionless(&mut self, call: Call, id: ExprId, units: &[ComponentUnit]) {
         let odd = units.iter().flatten().find(|unit| !unit.is_one());
         if let Some(unit) = odd {
-            let message = format!("expected a number without a unit, found {unit}");
+            let name = call.function.name();
+            let message = format!("`{name}` takes a number without a unit, found {unit}");
             self.unit_error(self.range(id), message);
         }
     }
 
-    fn vector(&mut self, id: ExprId) -> Option<(usize, Vec<ComponentUnit>)> {
+    fn vector(&mut self, call: Call, id: ExprId) -> Option<(usize, Vec<ComponentUnit>)> {
         match self.ty(id) {
             Type::Matrix(shape, units) if shape.cols == 1 => Some((shape.rows, units.clone())),
-            _ => self.wrong(id, "a vector"),
+            _ => self.wrong(call, id, "a vector"),
         }
     }
 
     /// A square matrix of at most `largest` rows.
-    fn square(&mut self, id: ExprId, largest: usize) -> Option<(usize, Vec<ComponentUnit>)> {
+    fn square(
+        &mut self,
+        call: Call,
+        id: ExprId,
+        largest: usize,
+    ) -> Option<(usize, Vec<ComponentUnit>)> {
         match self.ty(id) {
             Type::Matrix(shape, units) if shape.rows == shape.cols && shape.rows <= largest => {
                 Some((shape.rows, units.clone()))
             }
-            _ if largest == usize::MAX => self.wrong(id, "a square matrix"),
-            _ => self.wrong(id, &format!("a square matrix of at most {largest} rows")),
+            _ if largest == usize::MAX => self.wrong(call, id, "a square matrix"),
+            _ => self.wrong(
+                call,
+                id,
+                &format!("a square matrix of at most {largest} rows"),
+            ),
         }
     }
 
     /// The argument of `exp` and `cay`; that it is skew is seen later, in its components.
-    fn rotation(&mut self, id: ExprId) -> Option<Type> {
+    fn rotation(&mut self, call: Call, id: ExprId) -> Option<Type> {
         match self.ty(id).clone() {
             Type::Matrix(shape, units) if shape == PLANE || shape == SPACE => {
-                self.dimensionless(id, &units);
+                self.dimensionless(call, id, &units);
                 Some(Type::uniform(shape, Some(Unit::ONE)))
             }
-            _ => self.wrong(id, "a skew 2×2 or 3×3 matrix such as S(v)"),
+            _ => self.wrong(call, id, "a skew 2×2 or 3×3 matrix such as S(v)"),
         }
     }
 
@@ -178,28 +198,29 @@ impl Typing<'_> {
         if order.is_some_and(|c| (0..=LARGEST_STUMPFF).contains(&c.to_integer())) {
             return Some(());
         }
-        let message = format!("expected a constant integer from 0 to {LARGEST_STUMPFF}");
+        let message =
+            format!("`stumpff` takes a constant integer from 0 to {LARGEST_STUMPFF} first");
         self.errors.push(self.range(id), message);
         None
     }
 
-    fn dot(&mut self, args: &[ExprId], range: Range) -> Option<Type> {
-        let (n, left) = self.vector(args[0])?;
-        let (m, right) = self.vector(args[1])?;
+    fn dot(&mut self, call: Call, args: &[ExprId]) -> Option<Type> {
+        let (n, left) = self.vector(call, args[0])?;
+        let (m, right) = self.vector(call, args[1])?;
         if n != m {
-            return self.wrong(args[1], &format!("a {}", Shape::vector(n)));
+            return self.wrong(call, args[1], &format!("a {}", Shape::vector(n)));
         }
         let terms: Vec<_> = (0..n).map(|i| self.times(left[i], right[i])).collect();
-        let unit = self.one_unit(&terms, range, "the terms of this product");
+        let unit = self.one_unit(&terms, call.range, "the terms of this product");
         Some(Type::scalar(unit))
     }
 
-    fn cross(&mut self, args: &[ExprId], range: Range) -> Option<Type> {
+    fn cross(&mut self, call: Call, args: &[ExprId]) -> Option<Type> {
         let mut units = Vec::new();
         for &id in args {
-            match self.vector(id)? {
+            match self.vector(call, id)? {
                 (3, list) => units.push(list),
-                _ => return self.wrong(id, "a 3-vector"),
+                _ => return self.wrong(call, id, "a 3-vector"),
             }
         }
         let component = |i: usize| {
@@ -208,13 +229,13 @@ impl Typing<'_> {
                 self.times(units[0][j], units[1][k]),
                 self.times(units[0][k], units[1][j]),
             ];
-            self.one_unit(&terms, range, "the terms of this product")
+            self.one_unit(&terms, call.range, "the terms of this product")
         };
         let units = (0..3).map(component).collect();
         Some(Type::Matrix(Shape::vector(3), units))
     }
 
-    fn skew(&mut self, id: ExprId) -> Option<Type> {
+    fn skew(&mut self, call: Call, id: ExprId) -> Option<Type> {
         match self.ty(id) {
             Type::Matrix(shape, units) if shape.is_scalar() => {
                 let a = units[0];
@@ -225,38 +246,38 @@ impl Typing<'_> {
                 let units = vec![None, z, y, z, None, x, y, x, None];
                 Some(Type::Matrix(SPACE, units))
             }
-            _ => self.wrong(id, "a scalar or a 3-vector"),
+            _ => self.wrong(call, id, "a scalar or a 3-vector"),
         }
     }
 
-    fn vee(&mut self, id: ExprId, range: Range) -> Option<Type> {
+    fn vee(&mut self, call: Call, id: ExprId) -> Option<Type> {
         let (shape, pairs): (_, &[(usize, usize)]) = match self.ty(id).shape() {
             Some(PLANE) => (Shape::SCALAR, &[(2, 1)]),
             Some(SPACE) => (Shape::vector(3), &[(7, 5), (2, 6), (3, 1)]),
-            _ => return self.wrong(id, "a 2×2 or 3×3 matrix"),
+            _ => return self.wrong(call, id, "a 2×2 or 3×3 matrix"),
         };
         let units = self.spread(self.ty(id), if pairs.len() == 1 { PLANE } else { SPACE });
         let mut component = |&(i, j): &(usize, usize)| {
-            self.one_unit(&[units[i], units[j]], range, "opposite components")
+            self.one_unit(&[units[i], units[j]], call.range, "opposite components")
         };
         let units = pairs.iter().map(&mut component).collect();
         Some(Type::Matrix(shape, units))
     }
 
-    fn diag(&mut self, args: &[ExprId], range: Range) -> Option<Type> {
+    fn diag(&mut self, call: Call, args: &[ExprId]) -> Option<Type> {
         let entries = match args {
             [vector] if self.ty(*vector).shape().is_some_and(|s| !s.is_scalar()) => {
-                self.vector(*vector)?.1
+                self.vector(call, *vector)?.1
             }
             scalars => {
-                let units = scalars.iter().map(|&id| self.scalar(id));
+                let units = scalars.iter().map(|&id| self.scalar(call, id));
                 units.collect::<Option<Vec<_>>>()?
             }
         };
         let n = entries.len();
         if n > LARGEST_DIMENSION {
             let message = format!("expected at most {LARGEST_DIMENSION} rows, found {n}");
-            self.errors.push(range, message);
+            self.errors.push(call.range, message);
             return None;
         }
         let shape = Shape { rows: n, cols: n };
@@ -267,19 +288,19 @@ impl Typing<'_> {
         Some(Type::Matrix(shape, units))
     }
 
-    fn inverse(&mut self, id: ExprId, range: Range) -> Option<Type> {
+    fn inverse(&mut self, call: Call, id: ExprId) -> Option<Type> {
         if let Type::Multiple(unit) = *self.ty(id) {
             return Some(Type::Multiple(self.over(Some(Unit::ONE), unit)));
         }
-        let (n, units) = self.square(id, 3)?;
-        let determinant = self.determinant(n, &units, range);
+        let (n, units) = self.square(call, id, 3)?;
+        let determinant = self.determinant(n, &units, call.range);
         let mut inverse = Vec::with_capacity(n * n);
         for i in 0..n * n {
             // Component (r, c) of the inverse is the cofactor (c, r) over the determinant.
             let (row, col) = (i % n, i / n);
             let keep = |j: &usize| j / n != row && j % n != col;
             let minor: Vec<_> = (0..n * n).filter(keep).map(|j| units[j]).collect();
-            let cofactor = self.determinant(n - 1, &minor, range);
+            let cofactor = self.determinant(n - 1, &minor, call.range);
             inverse.push(self.over(cofactor, determinant));
         }
         Some(Type::Matrix(Shape { rows: n, cols: n }, inverse))

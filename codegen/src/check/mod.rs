@@ -34,7 +34,6 @@ use crate::model::Solved;
 use crate::model::State;
 use crate::unit::Unit;
 use advance::Advance;
-use statements::Block;
 use statements::Statements;
 use symbols::Kind;
 use symbols::Symbol;
@@ -51,18 +50,18 @@ pub fn check(ast: &Ast) -> Result<Model, Errors> {
     let symbols = Symbols::collect(ast, &mut errors);
     let units = definitions::units(&symbols, &mut errors);
     statements.complain_if_incomplete(ast, &symbols, &mut errors);
-    context::check_all(ast, &statements, &symbols, &mut errors);
 
     let mut typing = Typing::new(&ast.exprs, &symbols, time_unit(&units), errors);
+    context::check_all(&mut typing, &statements);
     typing.define(&units);
     let parameters = typing.parameters();
     let unknowns = typing.unknowns();
     let variables = typing.states();
-    let start = typing.start(&variables, list(statements.start));
-    let update = typing.update(&variables, list(statements.update));
+    let start = typing.start(&variables, statements.start);
+    let update = typing.update(&variables, statements.update);
     let outputs = typing.outputs(&units);
     let flow = typing.flow(statements.flow, &variables);
-    let residual = typing.equations(list(statements.residual));
+    let residual = typing.residual(statements.residual);
     let claims = typing.claims(&statements.claims);
 
     let advance = Advance::new(&typing, &variables, &unknowns, &update);
@@ -101,11 +100,6 @@ fn time_unit(units: &[Option<Unit>]) -> Unit {
     } else {
         Unit::SECOND
     }
-}
-
-/// The contents of a block, empty without one.
-fn list<'a, T>(block: Block<'a, T>) -> &'a [T] {
-    block.map_or(&[], |(list, _)| list)
 }
 
 /// The blocks of the unknown vector, in file order of their declarations.

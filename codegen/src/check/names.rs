@@ -102,7 +102,7 @@ impl Typing<'_> {
 
     /// `Δx`
     pub(super) fn increment(&mut self, name: &Name, range: Range) -> ExprId {
-        match self.state("Δ", name, range) {
+        match self.state("Δ belongs to a state", name, range) {
             Ok((index, ty)) => self.push(Op::Increment(index), ty, range),
             Err(poison) => poison,
         }
@@ -110,7 +110,7 @@ impl Typing<'_> {
 
     /// `der(x)`, with the unit of `x/t`.
     pub(super) fn rate(&mut self, name: &Name, range: Range) -> ExprId {
-        match self.state("der", name, range) {
+        match self.state("der belongs to a state", name, range) {
             Ok((index, ty)) => {
                 let second = self.second;
                 let ty = ty.map(|unit| unit.and_then(|u| u.over(second)));
@@ -120,10 +120,10 @@ impl Typing<'_> {
         }
     }
 
-    /// The state behind `operator` and its type.
-    fn state(
+    /// The state called `name` and its type; `expected` is what to say if there is none.
+    pub(super) fn state(
         &mut self,
-        operator: &str,
+        expected: &str,
         name: &Name,
         range: Range,
     ) -> Result<(usize, Type), ExprId> {
@@ -140,7 +140,7 @@ impl Typing<'_> {
             }
             (None, None) => return Err(self.unknown_name(name, range)),
         };
-        let message = format!("{operator} belongs to a state, and `{shown}` is {noun}");
+        let message = format!("{expected}, and `{shown}` is {noun}");
         Err(self.fail(range, message))
     }
 
@@ -183,7 +183,7 @@ impl Typing<'_> {
         if let Some(similar) = self.symbols.similar(name) {
             return Some(format!("did you mean `{similar}`?"));
         }
-        if let Some(state) = name.ascii.strip_suffix("dot") {
+        if let Some(state) = name.ascii.strip_suffix("dot").filter(|s| !s.is_empty()) {
             return Some(format!("write der({state}) for a rate"));
         }
         let is_unit = name.ascii.len() > 1 && Unit::named(&name.ascii).is_some();

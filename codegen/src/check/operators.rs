@@ -19,6 +19,7 @@ use crate::model::Op;
 use crate::model::Shape;
 use crate::unit::Unit;
 use num_rational::Ratio;
+use num_traits::One;
 use num_traits::ToPrimitive;
 
 impl Typing<'_> {
@@ -173,8 +174,12 @@ impl Typing<'_> {
                 .is_some_and(|s| s.rows == s.cols && !s.is_scalar()),
         };
         let factor = self.fact(scalar).constant.filter(|c| c.is_integer());
-        let factor = factor.map_or_else(|| "c".to_owned(), |c| c.to_string());
-        square.then(|| format!("write {factor}*I for a multiple of the identity"))
+        let help = match factor {
+            Some(c) if c.is_one() => "write I for the identity matrix".to_owned(),
+            Some(c) => format!("write {c}*I for a multiple of the identity matrix"),
+            None => "write c*I for a multiple of the identity matrix".to_owned(),
+        };
+        square.then_some(help)
     }
 
     fn product(&mut self, a: ExprId, b: ExprId, range: Range) -> ExprId {

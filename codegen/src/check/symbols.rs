@@ -31,6 +31,18 @@ const KEYWORDS: [&str; 14] = [
 /// Shortest name for which a misspelling is guessed: with fewer letters everything is similar.
 const SHORTEST_GUESSED: usize = 3;
 
+/// Latin letters and the Greek ones that they are taken for.
+const LOOKALIKES: [(&str, &str); 8] = [
+    ("a", "alpha"),
+    ("n", "eta"),
+    ("o", "sigma"),
+    ("p", "rho"),
+    ("u", "mu"),
+    ("v", "nu"),
+    ("w", "omega"),
+    ("y", "gamma"),
+];
+
 /// What a name stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
@@ -125,19 +137,14 @@ impl<'a> Symbols<'a> {
             by_name: BTreeMap::new(),
         };
         for mut symbol in ast.items.iter().filter_map(declaration) {
-            complain_if_reserved(symbol.kind, symbol.name, errors);
             let name = symbol.name;
+            complain_if_reserved(symbol.kind, name, errors);
+            if Builtin::named(&name.ascii).is_some() {
+                continue;
+            }
             if let Some(&first) = symbols.by_name.get(name.ascii.as_str()) {
                 let first: &Symbol = &symbols.list[first];
-                let (shown, line) = (&name.display, first.name.range.line());
-                let noun = first.kind.noun();
-                let spelling = if first.name.display == *shown {
-                    String::new()
-                } else {
-                    format!(" and the same name as `{}`", first.name.display)
-                };
-                let message = format!("`{shown}` is already {noun} in line {line}{spelling}");
-                errors.push(name.range, message);
+                errors.push(name.range, duplicate(name, first));
                 continue;
             }
             symbol.index = symbols.of_kind(symbol.kind).count();
@@ -166,8 +173,10 @@ impl<'a> Symbols<'a> {
 
     /// What the author of an unknown name may have meant.
     pub(super) fn similar(&self, name: &Name) -> Option<&str> {
+        let lookalike = LOOKALIKES.iter().find(|pair| pair.0 == name.ascii);
         let distance = |candidate: &str| {
-            if candidate.eq_ignore_ascii_case(&name.ascii) {
+            let looks_alike = lookalike.is_some_and(|pair| pair.1 == candidate);
+            if looks_alike || candidate.eq_ignore_ascii_case(&name.ascii) {
                 return Some(0);
             }
             let shortest = candidate.len().min(name.ascii.len());
@@ -180,6 +189,15 @@ impl<'a> Symbols<'a> {
             .filter_map(|symbol| Some((distance(&symbol.name.ascii)?, &symbol.name.display)))
             .min_by_key(|(distance, _)| *distance)
             .map(|(_, display)| display.as_str())
+    }
+}
+
+fn duplicate(name: &Name, first: &Symbol) -> String {
+    let (shown, other, line) = (&name.display, &first.name.display, first.name.range.line());
+    if shown == other {
+        format!("`{shown}` is already {} in line {line}", first.kind.noun())
+    } else {
+        format!("`{shown}` and `{other}` in line {line} are one name")
     }
 }
 

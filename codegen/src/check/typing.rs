@@ -111,6 +111,12 @@ impl<'a> Typing<'a> {
         self.of(root)
     }
 
+    /// Leaves an expression of the file in doubt; a mistake in it is already reported.
+    pub(super) fn doubt(&mut self, id: ExprId) {
+        let poison = self.poison(self.source[id.index()].range);
+        self.typed[id.index()] = Some(poison);
+    }
+
     /// Types one expression whose operands are typed.
     fn one(&mut self, id: ExprId) -> ExprId {
         let ast::Expr { kind, range } = &self.source[id.index()];

@@ -2,6 +2,7 @@
 
 use super::context;
 use super::context::Context;
+use super::symbols::Kind;
 use super::symbols::Symbols;
 use super::typing::Typing;
 use crate::ast::Ast;
@@ -36,9 +37,10 @@ pub fn check_value(
     let ast = file(value, parameters, shape);
     let mut errors = Errors::default();
     let symbols = Symbols::collect(&ast, &mut errors);
-    context::check_outputs(&ast, &symbols, Context::Value, &mut errors);
     let units = vec![None; symbols.list.len()];
     let mut typing = Typing::new(&ast.exprs, &symbols, Unit::ONE, errors);
+    let output = Kind::Output(OutputKind::Observable);
+    context::check_values(&mut typing, output, Context::Value);
     typing.define(&units);
     let model = Model {
         name: String::new(),

@@ -1,12 +1,14 @@
 //! Parameters, states, unknowns and outputs: do their values fit their types?
 
 use super::definitions::written_shape;
+use super::statements::Block;
 use super::symbols::Kind;
 use super::types::Type;
 use super::typing::Meaning;
 use super::typing::Typing;
 use crate::ast::Assignment;
 use crate::ast::ExprId;
+use crate::ast::Name;
 use crate::ast::OutputKind;
 use crate::model::Output;
 use crate::model::Parameter;
@@ -31,7 +33,8 @@ impl Typing<'_> {
             .into_iter()
             .filter_map(|(value, variable)| {
                 let default = self.expression(value?);
-                self.conform(default, &variable, Strictness::Lax);
+                // Nothing with a unit can stand in a default.
+                self.conform_shape(default, &variable);
                 Some(Parameter { variable, default })
             })
             .collect()
@@ -55,22 +58,37 @@ impl Typing<'_> {
         states.map(|(_, variable)| variable).collect()
     }
 
-    /// The start values of the states.
+    /// The start values of the states, each of which needs one.
     pub(super) fn start(
         &mut self,
         states: &[Variable],
-        list: &[Assignment],
+        block: Block<Assignment>,
     ) -> Vec<Option<ExprId>> {
-        self.assigned(states, list, "start value", Strictness::Lax)
+        let Some((list, keyword)) = block else {
+            return vec![None; states.len()];
+        };
+        let values = self.assigned(states, list, "start value", Strictness::Lax);
+        for (state, _) in states
+            .iter()
+            .zip(&values)
+            .filter(|(_, value)| value.is_none())
+        {
+            let name = &state.name.display;
+            let message = format!("the state `{name}` has no start value");
+            self.errors
+                .push_with_help(keyword, message, format!("write `{name} = …;`"));
+        }
+        values
     }
 
     /// What `update` assigns to the states.
     pub(super) fn update(
         &mut self,
         states: &[Variable],
-        list: &[Assignment],
+        block: Block<Assignment>,
     ) -> Vec<Option<ExprId>> {
-        self.assigned(states, list, "next value", Strictness::Strict)
+        let list = block.map_or(&[][..], |(list, _)| list);
+        self.assigned(states, list, "update", Strictness::Strict)
     }
 
     /// Invariants and observables. What their types leave out, their values decide.
@@ -147,24 +165,16 @@ impl Typing<'_> {
         for assignment in list {
             let name = &assignment.name;
             let value = self.expression(assignment.value);
-            let symbol = self.symbols.find(name).map(|i| self.symbols.list[i]);
-            let shown = &name.display;
-            match symbol {
-                Some(symbol) if symbol.kind == Kind::State => {
-                    if values[symbol.index].replace(value).is_some() {
-                        let message = format!("a second {what} of `{shown}`");
-                        self.errors.push(name.range, message);
-                    }
-                    self.conform(value, &states[symbol.index], strictness);
-                }
-                Some(symbol) => {
-                    let noun = symbol.kind.noun();
-                    let message = format!("expected a state, and `{shown}` is {noun}");
+            let Ok((index, _)) = self.state("expected a state", name, name.range) else {
+                continue;
+            };
+            self.conform(value, &states[index], strictness);
+            match &mut values[index] {
+                Some(_) => {
+                    let message = format!("a second {what} of `{}`", name.display);
                     self.errors.push(name.range, message);
                 }
-                None => {
-                    self.name(name, None, name.range);
-                }
+                first => *first = Some(value),
             }
         }
         values
@@ -182,7 +192,8 @@ impl Typing<'_> {
         let shape = variable.shape;
         let fits = match self.ty(value) {
             Type::Poison => true,
-            Type::Multiple(_) => shape.rows == shape.cols && !shape.is_scalar(),
+            Type::Multiple(_) if shape.is_scalar() => self.is_sizeless(&variable.name),
+            Type::Multiple(_) => shape.rows == shape.cols,
             Type::Matrix(own, _) => *own == shape || self.is_zero(value),
         };
         if !fits {
@@ -190,6 +201,12 @@ impl Typing<'_> {
             let message = format!("`{shown}` is a {shape}, found {found}");
             self.errors.push(self.range(value), message);
         }
+    }
+
+    /// True for a name whose shape could not be told, which is already reported.
+    fn is_sizeless(&self, name: &Name) -> bool {
+        let meaning = self.symbols.find(name).map(|i| &self.meanings[i]);
+        matches!(meaning, Some(Meaning::Unclear))
     }
 
     fn conform_unit(&mut self, value: ExprId, variable: &Variable) {

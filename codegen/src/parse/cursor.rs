@@ -56,6 +56,12 @@ impl<'a> Cursor<'a> {
         matches!(self.peek(), Some(Kind::Punct(p)) if *p == c)
     }
 
+    /// True directly behind `c`.
+    pub(super) fn follows_punct(self, c: char) -> bool {
+        let before = self.position.checked_sub(1).map(|i| &self.tokens[i]);
+        before.is_some_and(|t| t.joint && matches!(t.kind, Kind::Punct(p) if p == c))
+    }
+
     pub(super) fn peeks_word(self, word: &str) -> bool {
         matches!(self.peek(), Some(Kind::Ident(text)) if text == word)
     }

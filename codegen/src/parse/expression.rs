@@ -216,9 +216,6 @@ pub(super) fn finish(inside: Cursor, expected: &str) -> Parsed<()> {
 pub(super) fn missing_operator(cursor: Cursor, expected: &str) -> Diagnostic {
     let mut diagnostic = cursor.unexpected(expected);
     diagnostic.help = match cursor.peek() {
-        Some(Kind::Punct('=')) if matches!(cursor.peek_at(1), Some(Kind::Punct('='))) => {
-            Some("an equation has a single `=`".to_owned())
-        }
         Some(Kind::Punct('\'')) => {
             Some("write x.T for the transpose and der(x) for the rate".to_owned())
         }
@@ -232,6 +229,13 @@ pub(super) fn missing_operator(cursor: Cursor, expected: &str) -> Diagnostic {
 
 /// Something stands where an operand belongs.
 fn no_operand(cursor: Cursor) -> Diagnostic {
+    if cursor.peeks_punct('=') && cursor.follows_punct('=') {
+        return Diagnostic {
+            range: cursor.previous().to(cursor.here()),
+            message: "expected a single `=`, found `==`".to_owned(),
+            help: None,
+        };
+    }
     cursor.unexpected("a number, a name, `(` or `[`")
 }
 
@@ -287,10 +291,14 @@ fn level(name: &Name, cursor: &mut Cursor) -> Parsed<Level> {
         _ => Err(Diagnostic {
             range: start.to(cursor.previous()),
             message: format!("expected a time level `[k]`, `[k+1/2]` or `[k+1]`, found `[{text}]`"),
-            help: (!text.contains('k')).then(|| {
-                let name = &name.display;
-                format!("write {name}({text}) for a component, counted from 1")
-            }),
+            help: match text.chars().next() {
+                Some('k') | None => None,
+                Some(c) if c.is_ascii_digit() => Some(format!(
+                    "write {}({text}) for a component, counted from 1",
+                    name.display
+                )),
+                Some(_) => Some("the step counter is called `k`".to_owned()),
+            },
         }),
     }
 }

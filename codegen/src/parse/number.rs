@@ -25,6 +25,9 @@ pub(super) fn read(text: &str) -> Result<BigRational, (String, Option<String>)> 
         return complain(format!("`{text}` is not a decimal number"), None);
     }
     let (number, suffix) = split_suffix(text);
+    if matches!(suffix, "e" | "E") {
+        return complain(format!("expected a power of ten behind `{text}`"), None);
+    }
     if !suffix.is_empty() {
         let message = format!("`{text}` runs a number and the name `{suffix}` together");
         let rust = ["f32", "f64", "i32", "i64", "u32", "u64", "usize"];

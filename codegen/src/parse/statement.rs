@@ -35,7 +35,7 @@ pub(super) const KEYWORDS: [&str; 13] = [
 
 /// Least Jaro-Winkler similarity, from 0 to 1, of a word to the keyword it was meant to be.
 /// `parameter` has 0.91 to `param`, `invariants` 0.98, unrelated words less than 0.7.
-const SIMILAR: f64 = 0.8;
+const SIMILAR: f64 = 0.88;
 
 /// True where a statement begins.
 pub(super) fn is_keyword(kind: Option<&Kind>) -> bool {
@@ -178,7 +178,12 @@ impl Parser {
         if cursor.eat_punct(';') {
             return Ok(());
         }
-        let ends = cursor.is_at_end() || cursor.starts_a_line() || is_keyword(cursor.peek());
+        let begins_assignment = matches!(cursor.peek(), Some(Kind::Ident(_)))
+            && matches!(cursor.peek_at(1), Some(Kind::Punct('=')));
+        let ends = cursor.is_at_end()
+            || cursor.starts_a_line()
+            || is_keyword(cursor.peek())
+            || begins_assignment;
         if !ends {
             return Err(missing_operator(*cursor, "an operator or `;`"));
         }

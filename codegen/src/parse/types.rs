@@ -2,6 +2,7 @@
 
 use super::cursor::Cursor;
 use super::cursor::Parsed;
+use super::statement::is_keyword;
 use super::tokens::Kind;
 use crate::ast::LARGEST_DIMENSION;
 use crate::ast::Name;
@@ -24,7 +25,8 @@ pub(super) fn parse(cursor: &mut Cursor) -> Parsed<TypeExpr> {
         let dimensions = shape(cursor)?;
         ty.shape = Some((dimensions, Some(start.to(cursor.previous()))));
     }
-    let is_factor = matches!(cursor.peek(), Some(Kind::Ident(_) | Kind::Literal(_)));
+    let is_factor = matches!(cursor.peek(), Some(Kind::Ident(_) | Kind::Literal(_)))
+        && !is_keyword(cursor.peek());
     if is_factor || ty.shape.is_none() {
         ty.unit = Some(unit(cursor)?);
     }

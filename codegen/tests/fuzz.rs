@@ -1,0 +1,176 @@
+//! Whatever the tokens, the generator answers with a model or with mistakes, and soon.
+
+use proc_macro2::TokenStream;
+use proc_macro2::TokenTree;
+use residua_codegen::analyse;
+use residua_codegen::source::lex;
+
+/// A model with every statement of the language.
+const GOOD: &str = include_str!("complete.model.in");
+
+/// Words and signs that mean something, and some that do not.
+const WORDS: &[&str] = &[
+    "param",
+    "state",
+    "unknown",
+    "let",
+    "flow",
+    "residual",
+    "solve",
+    "for",
+    "next",
+    "increment",
+    "update",
+    "start",
+    "invariant",
+    "observe",
+    "require",
+    "claim",
+    "jacobian",
+    "\"Eq. 1\"",
+    "x",
+    "y",
+    "ω",
+    "Γ",
+    "Δω",
+    "ω̇",
+    "Δ",
+    "der",
+    "Delta",
+    "k",
+    "h",
+    "t",
+    "I",
+    "pi",
+    "S",
+    "sin",
+    "exp",
+    "diag",
+    "inv",
+    "cross",
+    "stumpff",
+    "T",
+    "kg",
+    "m",
+    "s",
+    "0",
+    "1",
+    "2",
+    "9.81",
+    "1e-3",
+    "127",
+    "1f64",
+    "'c'",
+    "é",
+    "=",
+    ";",
+    ":",
+    ",",
+    ".",
+    "+",
+    "-",
+    "*",
+    "/",
+    "^",
+    "#",
+    "!",
+    "'a",
+    "_",
+];
+
+const SEED: u64 = 0x2545_f491_4f6c_dd1d;
+
+/// Marsaglia's xorshift, period 2⁶⁴ − 1.
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, n: usize) -> usize {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 % n as u64) as usize
+    }
+}
+
+/// The tokens of a text one by one, brackets included.
+fn words(tokens: TokenStream, words: &mut Vec<String>) {
+    for tree in tokens {
+        match tree {
+            TokenTree::Group(group) => {
+                let text = group.to_string();
+                words.extend(text.chars().next().map(String::from));
+                self::words(group.stream(), words);
+                words.extend(text.chars().last().map(String::from));
+            }
+            other => words.push(other.to_string()),
+        }
+    }
+}
+
+/// Runs the generator; true if it found a model.
+fn survives(text: &str) -> bool {
+    let Ok(tokens) = lex(text) else {
+        return false;
+    };
+    match analyse("fuzz", tokens) {
+        Ok(_) => true,
+        Err(errors) => {
+            assert!(!errors.to_string().is_empty());
+            false
+        }
+    }
+}
+
+#[test]
+fn the_complete_model_is_right() {
+    let tokens = lex(GOOD).expect("lexes");
+    let mistakes = analyse("complete", tokens).map_or_else(|e| e.to_string(), |_| String::new());
+    assert_eq!(mistakes, "");
+}
+
+#[test]
+fn token_soup_is_survived() {
+    let mut random = Random(SEED);
+    for _ in 0..2000 {
+        let mut text = String::new();
+        let mut open = Vec::new();
+        for _ in 0..random.below(60) {
+            match random.below(8) {
+                0 => {
+                    let pair = [("(", ")"), ("[", "]"), ("{", "}")][random.below(3)];
+                    text.push_str(pair.0);
+                    open.push(pair.1);
+                }
+                1 => text.push_str(open.pop().unwrap_or(";")),
+                _ => text.push_str(WORDS[random.below(WORDS.len())]),
+            }
+            text.push(' ');
+        }
+        text.extend(open.into_iter().rev());
+        survives(&text);
+    }
+}
+
+#[test]
+fn mutated_models_are_survived() {
+    let mut good = Vec::new();
+    words(lex(GOOD).expect("lexes"), &mut good);
+    let mut random = Random(SEED);
+    let mut models = 0;
+    for _ in 0..1000 {
+        let mut words = good.clone();
+        for _ in 0..=random.below(3) {
+            let (i, j) = (random.below(words.len()), random.below(words.len()));
+            match random.below(5) {
+                0 => drop(words.remove(i)),
+                1 => words.insert(i, words[j].clone()),
+                2 => words.swap(i, j),
+                3 => words[i] = words[j].clone(),
+                _ => words[i] = WORDS[random.below(WORDS.len())].to_owned(),
+            }
+        }
+        models += usize::from(survives(&words.join(" ")));
+    }
+    // Some mutations, such as 1 for 2, leave a model; if none did, the test would test little.
+    assert!(models > 10, "{models}");
+}
