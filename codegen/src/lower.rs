@@ -12,6 +12,7 @@
 //!
 //! A state that `update` defines explicitly has that expression as its `x[k+1]`.
 
+mod arithmetic;
 mod context;
 mod functions;
 
