@@ -35,7 +35,7 @@ pub(super) fn reciprocals(values: &mut Values) {
         }
     }
     for divisor in divisors {
-        let reciprocal = values.fraction(BigRational::one(), Vec::new(), vec![divisor]);
+        let reciprocal = values.reciprocal(divisor);
         for user in &users[&divisor] {
             if *user != reciprocal
                 && let Op::Product {

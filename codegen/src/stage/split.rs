@@ -42,11 +42,12 @@ impl Monomial {
 pub(super) fn split(dag: &Dag, kernels: &[Wanted]) -> (Values, Vec<Rooted>) {
     let wanted: Vec<NodeId> = kernels.iter().flat_map(|k| k.2.iter().copied()).collect();
     let needed = dag.reachable(&wanted);
+    let is_inverted = inverted(dag, &needed);
     let mut values = Values::default();
     let mut monomials: Vec<Monomial> = Vec::with_capacity(dag.nodes().len());
     for (node, needed) in dag.nodes().iter().zip(needed) {
         let monomial = if needed {
-            monomial(dag, node, &monomials, &mut values)
+            monomial(dag, node, &monomials, &is_inverted, &mut values)
         } else {
             Monomial::number(BigRational::one())
         };
@@ -64,7 +65,33 @@ pub(super) fn split(dag: &Dag, kernels: &[Wanted]) -> (Values, Vec<Rooted>) {
     (values, rooted)
 }
 
-fn monomial(dag: &Dag, node: &Node, known: &[Monomial], values: &mut Values) -> Monomial {
+/// For each node whether several powers of it are divided by, as a quotient and its derivative do:
+/// x/d and y/d² become x·(1/d) and y·(1/d)² with one division. The scene part is computed once and
+/// reads better as it is.
+fn inverted(dag: &Dag, needed: &[bool]) -> Vec<bool> {
+    let mut exponents = vec![0; dag.nodes().len()];
+    let mut is_inverted = vec![false; dag.nodes().len()];
+    for (node, _) in dag.nodes().iter().zip(needed).filter(|n| *n.1) {
+        let Node::Product(factors) = node else {
+            continue;
+        };
+        for &(factor, exponent) in factors.iter().filter(|f| f.1 < 0) {
+            let known = &mut exponents[factor.index()];
+            let has_another = *known != 0 && *known != exponent;
+            is_inverted[factor.index()] |= has_another && dag.rate(factor) > Rate::Scene;
+            *known = exponent;
+        }
+    }
+    is_inverted
+}
+
+fn monomial(
+    dag: &Dag,
+    node: &Node,
+    known: &[Monomial],
+    is_inverted: &[bool],
+    values: &mut Values,
+) -> Monomial {
     match node {
         Node::Constant(number) => Monomial::number(number.clone()),
         Node::Pi => Monomial::of(values.intern(Op::Pi)),
@@ -77,7 +104,7 @@ fn monomial(dag: &Dag, node: &Node, known: &[Monomial], values: &mut Values) -> 
             }
             _ => sum(terms, known, values),
         },
-        Node::Product(factors) => product(dag, factors, known, values),
+        Node::Product(factors) => product(dag, factors, known, is_inverted, values),
         Node::Call(function, arguments) => {
             let arguments = arguments.iter().map(|a| whole(&known[a.index()], values));
             let arguments = arguments.collect();
@@ -107,6 +134,7 @@ fn product(
     dag: &Dag,
     factors: &[(NodeId, i32)],
     known: &[Monomial],
+    is_inverted: &[bool],
     values: &mut Values,
 ) -> Monomial {
     let mut merged = Monomial::number(BigRational::one());
@@ -117,14 +145,19 @@ fn product(
             Node::Sum(terms) => terms.len() == 1,
             Node::Pi | Node::Leaf(_) | Node::Call(..) => false,
         };
-        if is_large {
-            merged.factors.push((whole(factor, values), exponent));
+        let (coefficient, value) = if is_large {
+            (BigRational::one(), whole(factor, values))
         } else {
-            merged.coefficient *= factor.coefficient.pow(exponent);
-            merged
-                .factors
-                .extend(factor.factors.iter().map(|f| (f.0, exponent)));
-        }
+            values.product(factor.coefficient.clone(), &factor.factors)
+        };
+        merged.coefficient *= coefficient.pow(exponent);
+        merged
+            .factors
+            .push(if exponent < 0 && is_inverted[id.index()] {
+                (values.reciprocal(value), -exponent)
+            } else {
+                (value, exponent)
+            });
     }
     merged
 }

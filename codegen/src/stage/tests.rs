@@ -153,6 +153,53 @@ fn common_divisor_is_divided_by_once() {
 }
 
 #[test]
+fn powers_of_one_divisor_take_one_division() {
+    let mut dag = Dag::new();
+    let [x, y] = [0, 1].map(|i| unknown(&mut dag, i));
+    let roots = [
+        dag.product([(x, 1), (y, -1)]),
+        dag.product([(x, 2), (y, -2)]),
+        dag.product([(y, -3)]),
+    ];
+    let schedule = iteration(&dag, roots.to_vec());
+    assert_eq!(count(&schedule, "residual").divisions, 1);
+    assert_preserves(&dag, &roots);
+}
+
+#[test]
+fn terms_of_equal_weight_are_added_up_first() {
+    let mut dag = Dag::new();
+    let (now, next) = (state(&mut dag, 0), unknown(&mut dag, 0));
+    let x = unknown(&mut dag, 1);
+    let terms = [(4, next), (-4, now), (1, x)].map(|(c, n)| (rational(c), n));
+    let root = dag.sum(terms);
+    let schedule = iteration(&dag, vec![root]);
+    let expected = Count {
+        additions: 2,
+        multiplications: 1,
+        ..Count::default()
+    };
+    assert_eq!(count(&schedule, "residual"), expected);
+    assert_eq!(count(&schedule, "step"), Count::default());
+    assert_preserves(&dag, &[root]);
+}
+
+#[test]
+fn signs_are_taken_into_sums_and_never_cached() {
+    let mut dag = Dag::new();
+    let (p, s) = (parameter(&mut dag, 0), state(&mut dag, 0));
+    let (x, y) = (unknown(&mut dag, 0), unknown(&mut dag, 1));
+    let terms = [(1, x), (-2, y), (-3, s)].map(|(c, n)| (rational(c), n));
+    let sum = dag.sum(terms);
+    let roots = vec![sum, dag.neg(p), p];
+    let schedule = iteration(&dag, roots.clone());
+    assert_eq!(schedule.scene.len(), 1);
+    let root = schedule.kernel("residual").unwrap().roots[0];
+    assert!(!schedule.value(root).op.is_negation());
+    assert_preserves(&dag, &roots);
+}
+
+#[test]
 fn powers_share_their_squares() {
     let mut dag = Dag::new();
     let x = unknown(&mut dag, 0);

@@ -143,6 +143,11 @@ impl Values {
         self.fraction(coefficient, numerator, denominator)
     }
 
+    /// 1 / v
+    pub(super) fn reciprocal(&mut self, value: ValueId) -> ValueId {
+        self.fraction(BigRational::one(), Vec::new(), vec![value])
+    }
+
     /// The same for a single divisor at most. Factors stand slower ones first.
     pub(super) fn fraction(
         &mut self,
