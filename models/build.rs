@@ -32,10 +32,10 @@ fn model_files(folder: &Path) -> io::Result<Vec<PathBuf>> {
     let mut files = Vec::new();
     for entry in fs::read_dir(folder)? {
         let path = entry?.path();
-        if path
+        let is_model = path
             .extension()
-            .is_some_and(|extension| extension == "model")
-        {
+            .is_some_and(|extension| extension == "model");
+        if is_model && path.is_file() {
             files.push(path);
         }
     }
