@@ -137,9 +137,10 @@ fn eliminate(dag: &mut Dag, mut a: Vec<Vec<NodeId>>, mut b: Vec<NodeId>) -> Vec<
         b.swap(k, pivot);
         for i in k + 1..n {
             let factor = dag.div(a[i][k], a[k][k]);
-            for j in k..n {
-                let product = dag.mul(factor, a[k][j]);
-                a[i][j] = dag.sub(a[i][j], product);
+            let pivot_row = a[k].clone();
+            for (entry, above) in a[i].iter_mut().zip(pivot_row).skip(k) {
+                let product = dag.mul(factor, above);
+                *entry = dag.sub(*entry, product);
             }
             let product = dag.mul(factor, b[k]);
             b[i] = dag.sub(b[i], product);

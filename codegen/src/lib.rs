@@ -12,7 +12,7 @@
 //! | [`stage`] | `System` | [`schedule::Schedule`] | each value at its rate |
 //! | [`emit`] | `Schedule` | Rust | |
 //!
-//! [`compile`] runs them. Simplification is no pass: the constructors of [`normal`] keep every node of
+//! [`compile()`] runs them. Simplification is no pass: the constructors of [`normal`] keep every node of
 //! the [`dag::Dag`] in normal form from the start, so derivatives never grow first and shrink later.
 
 pub mod ast;

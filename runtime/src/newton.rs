@@ -79,6 +79,7 @@ impl<S: Solvable<T>, T: Real> Newton<S, T> {
         statistics: &mut Statistics,
     ) -> Result<Report, Failure> {
         let mut growths = 0;
+        let mut before = [T::constant(0.0); 2];
         while self.history.iterations() < self.settings.max_iterations {
             S::residual_and_jacobian(scene, step, &self.x, &mut self.r, &mut self.j);
             statistics.residuals += 1;
@@ -93,7 +94,7 @@ impl<S: Solvable<T>, T: Real> Newton<S, T> {
 
             let progress = self.progress(&correction, known);
             self.history.push(progress.size.to_f64());
-            if progress.converged {
+            if progress.converged || self.is_last(progress.size, before) {
                 return Ok(self.report(Success::Converged, progress));
             }
             if progress.shrinking {
@@ -107,8 +108,19 @@ impl<S: Solvable<T>, T: Real> Newton<S, T> {
                 }
             }
             self.previous = correction;
+            before = [progress.size, before[0]];
         }
         Err(Failure::Stalled)
+    }
+
+    /// Whether the next correction would be within the tolerance, by the quadratic law e⁺ ≈ (e/e₁²) e² for the
+    /// sizes e₂, e₁, e of the last three corrections. Asked only once e has followed that law from e₂ and e₁,
+    /// so that an inexact Jacobian, which converges linearly, is never taken at its word. A correction not yet
+    /// made has size 0.
+    fn is_last(&self, e: T, [e1, e2]: [T; 2]) -> bool {
+        let margin = T::constant(10.0);
+        let is_quadratic = e2 > T::constant(0.0) && e * e2 * e2 <= margin * e1 * e1 * e1;
+        is_quadratic && margin * e * e * e <= self.settings.tolerance * e1 * e1
     }
 
     fn report(&self, success: Success, progress: Progress<T>) -> Report {

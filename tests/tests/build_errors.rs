@@ -29,7 +29,11 @@ fn check(name: &str, model: &str) -> (bool, String) {
          [dependencies]\nresidua = {{ path = {runtime:?} }}\n\n[workspace]\n"
     );
     fs::write(folder.join("Cargo.toml"), manifest).expect("a manifest");
-    fs::copy(workspace.join("own_crate/Cargo.lock"), folder.join("Cargo.lock")).expect("a lock file");
+    fs::copy(
+        workspace.join("own_crate/Cargo.lock"),
+        folder.join("Cargo.lock"),
+    )
+    .expect("a lock file");
     fs::write(folder.join("src/lib.rs"), USER).expect("a library");
     fs::write(folder.join("src/pendulum.model"), model).expect("a model");
     let output = Command::new(env!("CARGO"))
@@ -39,7 +43,10 @@ fn check(name: &str, model: &str) -> (bool, String) {
         .env_remove("RUSTFLAGS")
         .output()
         .expect("cargo runs");
-    (output.status.success(), String::from_utf8_lossy(&output.stderr).into_owned())
+    (
+        output.status.success(),
+        String::from_utf8_lossy(&output.stderr).into_owned(),
+    )
 }
 
 /// The first lines of all errors but cargo's own.
@@ -66,16 +73,26 @@ fn every_mistake_of_a_file_has_a_caret_there_and_nothing_follows() {
     assert!(!built);
     let found = errors(&stderr);
     assert!(found.len() >= 3, "{stderr}");
-    assert_eq!(stderr.matches("pendulum.model:").count(), found.len(), "{stderr}");
+    assert_eq!(
+        stderr.matches("pendulum.model:").count(),
+        found.len(),
+        "{stderr}"
+    );
     assert!(stderr.contains("pendulum.model:7:"), "{stderr}");
     assert!(stderr.contains("pendulum.model:8:"), "{stderr}");
-    assert!(stderr.contains("help: did you mean `ω`?") || stderr.contains("omga"), "{stderr}");
+    assert!(
+        stderr.contains("help: did you mean `ω`?") || stderr.contains("omga"),
+        "{stderr}"
+    );
     assert!(!stderr.contains("error[E"), "{stderr}");
 }
 
 #[test]
 fn an_unbalanced_bracket_is_one_error() {
-    let (built, stderr) = check("unbalanced_bracket", "model! {\n    state x;\n    residual { (Δx = 0; }\n}\n");
+    let (built, stderr) = check(
+        "unbalanced_bracket",
+        "model! {\n    state x;\n    residual { (Δx = 0; }\n}\n",
+    );
     assert!(!built);
     assert_eq!(errors(&stderr).len(), 1, "{stderr}");
     assert!(stderr.contains("pendulum.model:3:"), "{stderr}");

@@ -61,7 +61,11 @@ fn quotient_and_its_derivative_are_right() {
     solver.jacobian(&case.at(h, &case.start), &x, &mut j);
     let n: f64 = 1.0 / 7.0 + delta;
     let below = 1.0 + n * n;
-    approx::assert_relative_eq!(r[3], 5.0 * delta - h * n.powi(4) / below, max_relative = 1e-14);
+    approx::assert_relative_eq!(
+        r[3],
+        5.0 * delta - h * n.powi(4) / below,
+        max_relative = 1e-14
+    );
     let slope = h * (4.0 * n.powi(3) * below - 2.0 * n.powi(5)) / (below * below);
     approx::assert_relative_eq!(j[15], 5.0 - slope, max_relative = 1e-14);
 }

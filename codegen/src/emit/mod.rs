@@ -67,6 +67,7 @@ fn allow() -> TokenStream {
     quote! {
         #[allow(non_snake_case, reason = "names as in the model")]
         #[allow(clippy::approx_constant, reason = "numbers as in the model")]
+        #[allow(clippy::possible_missing_comma, reason = "all tokens have one place, the invocation")]
         #[allow(clippy::many_single_char_names, clippy::suspicious_operation_groupings, reason = "formulas")]
     }
 }

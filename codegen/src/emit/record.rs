@@ -154,7 +154,7 @@ impl<'a> Record<'a> {
 
 /// `name: value`, or `name` for a variable of that name.
 pub(super) fn member(name: &Ident, value: TokenStream) -> TokenStream {
-    if value.to_string() == name.to_string() {
+    if *name == value.to_string() {
         value
     } else {
         quote!(#name: #value)
