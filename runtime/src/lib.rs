@@ -67,6 +67,7 @@ mod report;
 mod runge_kutta;
 mod scalar;
 mod settings;
+mod shifts;
 #[cfg(test)]
 mod specimens;
 mod stepper;

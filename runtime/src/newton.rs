@@ -15,8 +15,10 @@ use crate::report::Statistics;
 use crate::report::Success;
 use crate::scalar::Real;
 use crate::scalar::first_not_finite;
+use crate::settings::RATE_MARGIN;
 use crate::settings::ROUNDING;
 use crate::settings::Settings;
+use crate::shifts::Shifts;
 
 /// Newton's method with its workspace, made once per run.
 pub(crate) struct Newton<S: Solvable<T>, T: Real> {
@@ -29,6 +31,8 @@ pub(crate) struct Newton<S: Solvable<T>, T: Real> {
     j: S::Jacobian,
     /// The last correction but one.
     previous: S::Unknowns,
+    /// Where earlier solutions lay from their guesses.
+    shifts: Shifts<S::Unknowns>,
     history: History,
 }
 
@@ -41,6 +45,7 @@ impl<S: Solvable<T>, T: Real> Newton<S, T> {
             r: zeros,
             j,
             previous: zeros,
+            shifts: Shifts::new(zeros),
             history: History::default(),
         }
     }
@@ -53,10 +58,15 @@ impl<S: Solvable<T>, T: Real> Newton<S, T> {
         known: &[T],
         statistics: &mut Statistics,
     ) -> Result<(S::Unknowns, Report), Fault> {
-        self.start(S::guess(scene, step));
-        let report = self
-            .iterate(scene, step, known, statistics)
-            .map_err(|failure| self.fault(failure))?;
+        let guess = S::guess(scene, step);
+        self.start(self.shifts.ahead(guess));
+        let mut outcome = self.iterate(scene, step, known, statistics);
+        if outcome.is_err() && !self.shifts.are_zero() {
+            self.start(guess);
+            outcome = self.iterate(scene, step, known, statistics);
+        }
+        let report = outcome.map_err(|failure| self.fault(failure))?;
+        self.shifts.push(&self.x, &guess);
         Ok((self.x, report))
     }
 
@@ -65,8 +75,8 @@ impl<S: Solvable<T>, T: Real> Newton<S, T> {
         self.history
     }
 
-    fn start(&mut self, guess: S::Unknowns) {
-        self.x = guess;
+    fn start(&mut self, x: S::Unknowns) {
+        self.x = x;
         self.previous.as_mut().fill(T::constant(f64::INFINITY));
         self.history = History::default();
     }
@@ -79,7 +89,7 @@ impl<S: Solvable<T>, T: Real> Newton<S, T> {
         statistics: &mut Statistics,
     ) -> Result<Report, Failure> {
         let mut growths = 0;
-        let mut before = [T::constant(0.0); 2];
+        let mut before = T::constant(0.0);
         while self.history.iterations() < self.settings.max_iterations {
             S::residual_and_jacobian(scene, step, &self.x, &mut self.r, &mut self.j);
             statistics.residuals += 1;
@@ -108,19 +118,15 @@ impl<S: Solvable<T>, T: Real> Newton<S, T> {
                 }
             }
             self.previous = correction;
-            before = [progress.size, before[0]];
+            before = progress.size;
         }
         Err(Failure::Stalled)
     }
 
-    /// Whether the next correction would be within the tolerance, by the quadratic law e⁺ ≈ (e/e₁²) e² for the
-    /// sizes e₂, e₁, e of the last three corrections. Asked only once e has followed that law from e₂ and e₁,
-    /// so that an inexact Jacobian, which converges linearly, is never taken at its word. A correction not yet
-    /// made has size 0.
-    fn is_last(&self, e: T, [e1, e2]: [T; 2]) -> bool {
-        let margin = T::constant(10.0);
-        let is_quadratic = e2 > T::constant(0.0) && e * e2 * e2 <= margin * e1 * e1 * e1;
-        is_quadratic && margin * e * e * e <= self.settings.tolerance * e1 * e1
+    /// Whether the error left after a correction of size `e` is within the tolerance even if convergence were
+    /// only linear, at the rate of the last two corrections (Hairer and Wanner, *Solving ODEs II*, IV.8).
+    fn is_last(&self, e: T, before: T) -> bool {
+        e * e <= T::constant(RATE_MARGIN) * self.settings.tolerance * before
     }
 
     fn report(&self, success: Success, progress: Progress<T>) -> Report {

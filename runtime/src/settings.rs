@@ -31,6 +31,10 @@ impl<T: Real> Default for Settings<T> {
     }
 }
 
+/// Share of the tolerance that the estimated error may take before the last correction is spared. Larger
+/// trusts the estimate more; 0 always waits for a correction within the tolerance.
+pub(crate) const RATE_MARGIN: f64 = 0.1;
+
 /// A residual this many ε times the size of its own terms is rounding error: a sum of n terms loses up to
 /// n ε/2 of them (Higham, *Accuracy and Stability of Numerical Algorithms*, section 4.2).
 ///

@@ -104,7 +104,8 @@ fn a_good_model_builds_without_a_warning() {
     param ρ: kg = 2;
     param p = 1;
     state x;
-    residual { Δx + p*x[k+1/2] = 0; }
+    residual { ρ*Δx + p*ρ*x[k+1/2] = 0; }
+    solve for next, increment;
     start { x = 1; }
 }
 ";

@@ -24,10 +24,12 @@ pub struct Parameters<T = f64> {
     pub M: [[T; 2]; 2],
     /// `unused`
     pub unused: [T; 4],
+    /// `almost_pi`
+    pub almost_pi: T,
 }
 #[allow(non_snake_case, reason = "names as in the model")]
 impl<T: ::core::marker::Copy> ::residua::Record<T> for Parameters<T> {
-    type Array = [T; 19];
+    type Array = [T; 20];
     fn from_array(
         [r#type,
         T,
@@ -48,7 +50,8 @@ impl<T: ::core::marker::Copy> ::residua::Record<T> for Parameters<T> {
         unused_2,
         unused_3,
         unused_4,
-        ]: [T; 19],
+        almost_pi,
+        ]: [T; 20],
     ) -> Self {
         Self {
             r#type,
@@ -62,9 +65,10 @@ impl<T: ::core::marker::Copy> ::residua::Record<T> for Parameters<T> {
             a: [a_x_, a_y, a_z],
             M: [[M_11, M_12], [M_21, M_22]],
             unused: [unused_1, unused_2, unused_3, unused_4],
+            almost_pi,
         }
     }
-    fn to_array(&self) -> [T; 19] {
+    fn to_array(&self) -> [T; 20] {
         let Self {
             r#type,
             T,
@@ -90,6 +94,7 @@ impl<T: ::core::marker::Copy> ::residua::Record<T> for Parameters<T> {
             unused_3,
             unused_4,
             ],
+            almost_pi,
         } = *self;
         [
             r#type,
@@ -111,6 +116,7 @@ impl<T: ::core::marker::Copy> ::residua::Record<T> for Parameters<T> {
             unused_2,
             unused_3,
             unused_4,
+            almost_pi,
         ]
     }
 }
@@ -164,6 +170,10 @@ pub struct Model;
 #[allow(non_snake_case, reason = "names as in the model")]
 #[allow(clippy::approx_constant, reason = "numbers as in the model")]
 #[allow(
+    clippy::possible_missing_comma,
+    reason = "all tokens have one place, the invocation"
+)]
+#[allow(
     clippy::many_single_char_names,
     clippy::suspicious_operation_groupings,
     reason = "formulas"
@@ -172,12 +182,13 @@ mod model {
     /// The values of the file.
     impl<T: ::residua::Scalar> ::core::default::Default for super::Parameters<T> {
         fn default() -> Self {
-            let [zero, third, one, two_, three, four, five, six, seven, eight] = [
+            let [zero, third, one, two_, three, c3_14, four, five, six, seven, eight] = [
                 0.0,
                 0.3333333333333333,
                 1.0,
                 2.0,
                 3.0,
+                3.14,
                 4.0,
                 5.0,
                 6.0,
@@ -197,6 +208,7 @@ mod model {
                 a: [one, two_, three],
                 M: [[four, one], [one, four]],
                 unused: [zero, zero, zero, third],
+                almost_pi: c3_14,
             }
         }
     }
@@ -231,6 +243,10 @@ mod model {
 pub struct Increment;
 #[allow(non_snake_case, reason = "names as in the model")]
 #[allow(clippy::approx_constant, reason = "numbers as in the model")]
+#[allow(
+    clippy::possible_missing_comma,
+    reason = "all tokens have one place, the invocation"
+)]
 #[allow(
     clippy::many_single_char_names,
     clippy::suspicious_operation_groupings,
@@ -350,7 +366,7 @@ mod increment {
             let zero = T::constant(0.0);
             [zero, zero, zero, zero]
         }
-        /// r(x), 4 equations, lines 21 to 23: 15 additions, 17 multiplications, 1 division, 2 calls.
+        /// r(x), 4 equations, lines 22 to 24: 15 additions, 17 multiplications, 1 division, 2 calls.
         ///
         /// - rows 0 to 1: `M*Δx + h*a_x*type*x[k+1/2] + h*a.T*a*T*x = 0`
         /// - row 2: `Δr + h*(two*sin(r[k+1/2]) + scene*cos(r[k+1/2])/None + 2*v1) = 0`
@@ -392,7 +408,7 @@ mod increment {
                 * (Next_next_squared * Next_next_squared);
             residual[3] = Model_ * Delta_Next - v4;
         }
-        /// r(x) and the 6 structural non-zeros of its Jacobian, lines 21 to 23: 19 additions, 28 multiplications, 1 division, 2 calls.
+        /// r(x) and the 6 structural non-zeros of its Jacobian, lines 22 to 24: 19 additions, 28 multiplications, 1 division, 2 calls.
         fn residual_and_jacobian(
             scene: &Scene<T>,
             step: &Step<T>,
@@ -546,6 +562,14 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
             unit: "1",
             doc: "",
         },
+        ::residua::description::Variable {
+            name: "almost_pi",
+            ascii: "almost_pi",
+            rows: 1,
+            cols: 1,
+            unit: "1",
+            doc: "",
+        },
     ],
     states: &[
         ::residua::description::Variable {
@@ -597,17 +621,17 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
             equations: &[
                 ::residua::description::Equation {
                     text: "M*Δx + h*a_x*type*x[k+1/2] + h*a.T*a*T*x = 0",
-                    line: 21,
+                    line: 22,
                     len: 2,
                 },
                 ::residua::description::Equation {
                     text: "Δr + h*(two*sin(r[k+1/2]) + scene*cos(r[k+1/2])/None + 2*v1) = 0",
-                    line: 22,
+                    line: 23,
                     len: 1,
                 },
                 ::residua::description::Equation {
                     text: "ΔNext*Model = h*Next[k+1]^4/(1 + Next[k+1]^2)",
-                    line: 23,
+                    line: 24,
                     len: 1,
                 },
             ],

@@ -71,6 +71,10 @@ pub struct Model;
 #[allow(non_snake_case, reason = "names as in the model")]
 #[allow(clippy::approx_constant, reason = "numbers as in the model")]
 #[allow(
+    clippy::possible_missing_comma,
+    reason = "all tokens have one place, the invocation"
+)]
+#[allow(
     clippy::many_single_char_names,
     clippy::suspicious_operation_groupings,
     reason = "formulas"
@@ -119,6 +123,10 @@ mod model {
 #[allow(non_snake_case, reason = "names as in the model")]
 #[allow(clippy::approx_constant, reason = "numbers as in the model")]
 #[allow(
+    clippy::possible_missing_comma,
+    reason = "all tokens have one place, the invocation"
+)]
+#[allow(
     clippy::many_single_char_names,
     clippy::suspicious_operation_groupings,
     reason = "formulas"
@@ -150,6 +158,10 @@ mod flow {
 pub struct Next;
 #[allow(non_snake_case, reason = "names as in the model")]
 #[allow(clippy::approx_constant, reason = "numbers as in the model")]
+#[allow(
+    clippy::possible_missing_comma,
+    reason = "all tokens have one place, the invocation"
+)]
 #[allow(
     clippy::many_single_char_names,
     clippy::suspicious_operation_groupings,
@@ -260,6 +272,10 @@ mod next {
 pub struct Increment;
 #[allow(non_snake_case, reason = "names as in the model")]
 #[allow(clippy::approx_constant, reason = "numbers as in the model")]
+#[allow(
+    clippy::possible_missing_comma,
+    reason = "all tokens have one place, the invocation"
+)]
 #[allow(
     clippy::many_single_char_names,
     clippy::suspicious_operation_groupings,

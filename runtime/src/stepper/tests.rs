@@ -26,19 +26,22 @@ fn advance(stepper: &mut Stepper<Next>, steps: u32) {
 }
 
 #[test]
-fn a_pendulum_step_takes_three_iterations() {
+fn a_pendulum_step_takes_two_iterations_once_the_start_is_extrapolated() {
     let mut stepper = pendulum::<f64>([1.0, 1.0], H);
-    for _ in 0..100 {
+    for _ in 0..2 {
+        assert_eq!(stepper.step().unwrap().iterations, 3);
+    }
+    for _ in 2..100 {
         let report = stepper.step().unwrap();
         assert_eq!(report.success, Success::Converged);
-        assert_eq!(report.iterations, 3);
+        assert_eq!(report.iterations, 2);
     }
     let statistics = stepper.statistics();
     assert_eq!(statistics.steps, 100);
-    assert_eq!(statistics.iterations, 300);
-    assert_eq!(statistics.residuals, 300);
-    assert_eq!(statistics.jacobians, 300);
-    assert_eq!(statistics.factorizations, 300);
+    assert_eq!(statistics.iterations, 202);
+    assert_eq!(statistics.residuals, 202);
+    assert_eq!(statistics.jacobians, 202);
+    assert_eq!(statistics.factorizations, 202);
     assert_eq!(statistics.flows, 0);
 }
 
