@@ -50,7 +50,8 @@ impl<S: Solvable<T>, T: Real> Newton<S, T> {
         }
     }
 
-    /// The unknowns of the step from `known`, the flat state.
+    /// The unknowns of the step from `known`, the flat state: from the extrapolated start, and if that fails from
+    /// the plain guess.
     pub(crate) fn solve(
         &mut self,
         scene: &S::Scene,
@@ -59,11 +60,15 @@ impl<S: Solvable<T>, T: Real> Newton<S, T> {
         statistics: &mut Statistics,
     ) -> Result<(S::Unknowns, Report), Fault> {
         let guess = S::guess(scene, step);
-        self.start(self.shifts.ahead(guess));
-        let mut outcome = self.iterate(scene, step, known, statistics);
-        if outcome.is_err() && !self.shifts.are_zero() {
-            self.start(guess);
+        let starts = [self.shifts.ahead(guess), guess];
+        let attempts = if self.shifts.are_zero() { 1 } else { 2 };
+        let mut outcome = Err(Failure::Stalled);
+        for x in starts.into_iter().take(attempts) {
+            self.start(x);
             outcome = self.iterate(scene, step, known, statistics);
+            if outcome.is_ok() {
+                break;
+            }
         }
         let report = outcome.map_err(|failure| self.fault(failure))?;
         self.shifts.push(&self.x, &guess);
@@ -81,6 +86,7 @@ impl<S: Solvable<T>, T: Real> Newton<S, T> {
         self.history = History::default();
     }
 
+    #[inline(never)]
     fn iterate(
         &mut self,
         scene: &S::Scene,
