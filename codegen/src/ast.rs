@@ -10,6 +10,23 @@ use num_rational::BigRational;
 /// up to 127, and a dense solve of that size takes a millisecond.
 pub const LARGEST_DIMENSION: usize = 127;
 
+/// The words that begin a statement.
+pub const KEYWORDS: [&str; 13] = [
+    "param",
+    "state",
+    "unknown",
+    "let",
+    "flow",
+    "residual",
+    "solve",
+    "update",
+    "start",
+    "invariant",
+    "observe",
+    "require",
+    "claim",
+];
+
 /// An identifier in its two spellings.
 ///
 /// `ω` and `omega` are one name: [`Name::ascii`] decides equality and becomes the Rust identifier,

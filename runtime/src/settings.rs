@@ -8,9 +8,9 @@ pub struct Settings<T = f64> {
     /// Largest correction of a converged iterate, relative to the block of unknowns it belongs to and the
     /// state that the block advances. Default 1e-12, for `f32` 64 ε.
     ///
-    /// Convergence is quadratic, so the error left is far smaller than the correction. Larger saves at most
-    /// one iteration a step; smaller, 0 included, iterates down to the rounding floor, where corrections
-    /// stop shrinking.
+    /// A correction larger than that is the last one, too, if at the rate of the last two the next would be within
+    /// a tenth of it. Larger saves at most one iteration a step; smaller, 0 included, iterates down to the
+    /// rounding floor, where corrections stop shrinking.
     pub tolerance: T,
     /// Corrections before the step is given up as stalled. Default 50; a good guess takes 2 to 5.
     pub max_iterations: usize,

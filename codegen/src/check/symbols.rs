@@ -3,30 +3,13 @@
 use crate::ast::Ast;
 use crate::ast::ExprId;
 use crate::ast::Item;
+use crate::ast::KEYWORDS;
 use crate::ast::Name;
 use crate::ast::OutputKind;
 use crate::ast::TypeExpr;
 use crate::diagnostic::Errors;
 use crate::function::Function;
 use std::collections::BTreeMap;
-
-/// Words of the grammar that cannot be names.
-const KEYWORDS: [&str; 14] = [
-    "param",
-    "state",
-    "unknown",
-    "let",
-    "flow",
-    "residual",
-    "solve",
-    "update",
-    "start",
-    "invariant",
-    "observe",
-    "claim",
-    "require",
-    "for",
-];
 
 /// Shortest name for which a misspelling is guessed: with fewer letters everything is similar.
 const SHORTEST_GUESSED: usize = 3;
@@ -252,7 +235,7 @@ fn complain_if_reserved(kind: Kind, name: &Name, errors: &mut Errors) {
         builtin.noun()
     } else if Function::named(ascii).is_some() && !is_output {
         "a function"
-    } else if KEYWORDS.contains(&ascii) {
+    } else if KEYWORDS.contains(&ascii) || ascii == "for" {
         "a keyword"
     } else {
         return;

@@ -9,29 +9,13 @@ use super::types;
 use crate::ast::Declaration;
 use crate::ast::Form;
 use crate::ast::Item;
+use crate::ast::KEYWORDS;
 use crate::ast::Name;
 use crate::ast::Output;
 use crate::ast::OutputKind;
 use crate::ast::TypeExpr;
 use crate::diagnostic::Diagnostic;
 use crate::diagnostic::Range;
-
-/// The words that begin a statement.
-pub(super) const KEYWORDS: [&str; 13] = [
-    "param",
-    "state",
-    "unknown",
-    "let",
-    "flow",
-    "residual",
-    "solve",
-    "update",
-    "start",
-    "invariant",
-    "observe",
-    "require",
-    "claim",
-];
 
 /// Least Jaro-Winkler similarity, from 0 to 1, of a word to the keyword it was meant to be.
 /// `parameter` has 0.91 to `param`, `invariants` 0.98, unrelated words less than 0.7.
