@@ -4,6 +4,7 @@ use crate::ast::Form;
 use crate::ast::Name;
 use crate::check::check;
 use crate::check::check_value;
+use crate::check::stand_in;
 use crate::claims::claims;
 use crate::dag::Leaf;
 use crate::diagnostic::Diagnostic;
@@ -22,6 +23,7 @@ use crate::model::Shape;
 use crate::parse::ascii_spelling;
 use crate::parse::parse;
 use crate::parse::parse_expression;
+use crate::parse::parse_leniently;
 use crate::source::lex;
 use crate::stage::program;
 use crate::structure::structure;
@@ -33,13 +35,21 @@ use proc_macro2::TokenStream;
 /// The Rust items of a model, from the tokens inside `model! { … }`; `name` is the stem of its file.
 /// A model with mistakes becomes compiler errors and items that keep callers quiet.
 pub fn expand(name: &str, tokens: TokenStream) -> TokenStream {
-    match compile(name, tokens) {
-        Ok(items) => items,
-        Err(mistakes) => {
-            let mut tokens = errors(mistakes);
-            tokens.extend(stub(name));
-            tokens
-        }
+    compile(name, tokens.clone()).unwrap_or_else(|mistakes| {
+        let mut items = errors(mistakes);
+        items.extend(quiet(name, tokens));
+        items
+    })
+}
+
+/// The items of a model with mistakes, so that code that names them gives no errors of its own.
+fn quiet(name: &str, tokens: TokenStream) -> TokenStream {
+    let model = stand_in(&parse_leniently(name, tokens));
+    let systems = model.forms.iter().map(|&form| discrete(&model, form));
+    let systems: Result<Vec<_>, Errors> = systems.map(|system| Ok(system?.0)).collect();
+    match (continuous(&model), systems) {
+        (Ok(equations), Ok(systems)) => stub(&model, &program(&equations, &systems)),
+        (Err(_), _) | (_, Err(_)) => TokenStream::new(),
     }
 }
 

@@ -18,8 +18,19 @@ pub fn name() -> &'static str {
 pub type Both = (pendulum::Next, pendulum::Increment, pendulum::Parameters, pendulum::State);
 ";
 
+/// Code that names the variables of the model below.
+const FIELDS: &str = "
+pub fn angular_velocity() -> f64 {
+    use residua::Model as _;
+    let parameters = pendulum::Parameters { m: 3.0, J: [[1.0, 0.0], [0.0, 1.0]], ..Default::default() };
+    let state = pendulum::State { theta: 1.0, ..pendulum::Model::start(&parameters) };
+    let outputs = pendulum::Model::outputs(&parameters, 0.1, 0.0, &state);
+    state.omega + parameters.g + outputs.energy + outputs.arm[1]
+}
+";
+
 /// What `cargo check` says about a crate whose one model file is `model`.
-fn check(name: &str, model: &str) -> (bool, String) {
+fn check(name: &str, user: &str, model: &str) -> (bool, String) {
     let workspace = Path::new(env!("CARGO_MANIFEST_DIR"));
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     fs::create_dir_all(folder.join("src")).expect("a folder for the crate");
@@ -34,7 +45,7 @@ fn check(name: &str, model: &str) -> (bool, String) {
         folder.join("Cargo.lock"),
     )
     .expect("a lock file");
-    fs::write(folder.join("src/lib.rs"), USER).expect("a library");
+    fs::write(folder.join("src/lib.rs"), format!("{USER}{user}")).expect("a library");
     fs::write(folder.join("src/pendulum.model"), model).expect("a model");
     let output = Command::new(env!("CARGO"))
         .args(["check", "--quiet", "--offline", "--color", "never"])
@@ -60,6 +71,7 @@ fn every_mistake_of_a_file_has_a_caret_there_and_nothing_follows() {
     let model = "model! {
     param m: kg = 2;
     param g: m/s^2 = 9.81;
+    param J = [[1, 2], [3, 4]];
     state ω: 1/s;
     state θ: rad;
     residual {
@@ -67,9 +79,11 @@ fn every_mistake_of_a_file_has_a_caret_there_and_nothing_follows() {
         2*Δθ - h*(ω[k+1] + m) = 0;
     }
     start { ω = 1; }
+    observe energy = omga*m;
+    observe arm = [1, m];
 }
 ";
-    let (built, stderr) = check("several_mistakes", model);
+    let (built, stderr) = check("several_mistakes", FIELDS, model);
     assert!(!built);
     let found = errors(&stderr);
     assert!(found.len() >= 3, "{stderr}");
@@ -78,8 +92,8 @@ fn every_mistake_of_a_file_has_a_caret_there_and_nothing_follows() {
         found.len(),
         "{stderr}"
     );
-    assert!(stderr.contains("pendulum.model:7:"), "{stderr}");
     assert!(stderr.contains("pendulum.model:8:"), "{stderr}");
+    assert!(stderr.contains("pendulum.model:9:"), "{stderr}");
     assert!(
         stderr.contains("help: did you mean `ω`?") || stderr.contains("omga"),
         "{stderr}"
@@ -88,9 +102,30 @@ fn every_mistake_of_a_file_has_a_caret_there_and_nothing_follows() {
 }
 
 #[test]
+fn a_declaration_with_a_mistake_still_declares() {
+    let model = "model! {
+    param m: kg = 2 +;
+    param g: m/s^ = 9.81;
+    param J: [2, 2] [[1, 2], [3, 4]];
+    state ω: 1/s = 3;
+    state θ: rad
+    residual { Δω = 0; Δθ = 0; }
+    start { ω = 1; θ = 2; }
+    observe energy = omega*;
+    observe arm: [2] = ;
+}
+";
+    let (built, stderr) = check("bad_declarations", FIELDS, model);
+    assert!(!built);
+    assert_eq!(errors(&stderr).len(), 7, "{stderr}");
+    assert!(!stderr.contains("error[E"), "{stderr}");
+}
+
+#[test]
 fn an_unbalanced_bracket_is_one_error() {
     let (built, stderr) = check(
         "unbalanced_bracket",
+        "",
         "model! {\n    state x;\n    residual { (Δx = 0; }\n}\n",
     );
     assert!(!built);
@@ -109,7 +144,7 @@ fn a_good_model_builds_without_a_warning() {
     start { x = 1; }
 }
 ";
-    let (built, stderr) = check("good_model", model);
+    let (built, stderr) = check("good_model", "", model);
     assert!(built, "{stderr}");
     assert_eq!(stderr, "");
 }

@@ -15,6 +15,7 @@ mod flow;
 mod functions;
 mod names;
 mod operators;
+mod stand_in;
 mod statements;
 mod symbols;
 #[cfg(test)]
@@ -24,6 +25,7 @@ mod typing;
 mod value;
 mod values;
 
+pub use stand_in::stand_in;
 pub use value::check_value;
 
 use crate::ast::Ast;

@@ -134,7 +134,7 @@ impl Typing<'_> {
     }
 
     /// The declarations of one kind, numbered through, each with its value.
-    fn variables(&self, kind: Kind) -> Vec<(Option<ExprId>, Variable)> {
+    pub(super) fn variables(&self, kind: Kind) -> Vec<(Option<ExprId>, Variable)> {
         let mut list: Vec<(Option<ExprId>, Variable)> = Vec::new();
         for (index, symbol) in self.symbols.of_kind(kind) {
             let (shape, unit) = match &self.meanings[index] {

@@ -196,7 +196,7 @@ impl Parser {
         })
     }
 
-    fn push(&mut self, kind: ExprKind, range: Range) -> ExprId {
+    pub(super) fn push(&mut self, kind: ExprKind, range: Range) -> ExprId {
         let id = ExprId(self.exprs.len() as u32);
         self.exprs.push(Expr { kind, range });
         id

@@ -32,9 +32,27 @@ use proc_macro2::TokenStream;
 use tokens::Kind;
 
 /// Reads a model; `name` is the stem of its file.
+///
+/// # Errors
+/// Every mistake in the grammar.
 pub fn parse(name: &str, tokens: TokenStream) -> Result<Ast, Errors> {
-    let tokens = tokens::flatten(tokens)?;
+    let (ast, errors) = read(name, tokens);
+    errors.or(ast)
+}
+
+/// What can be read of a model, whatever its mistakes.
+pub fn parse_leniently(name: &str, tokens: TokenStream) -> Ast {
+    read(name, tokens).0
+}
+
+/// What could be read, and every mistake. Of a declaration with a mistake its name is kept, and its type if
+/// that much is right.
+fn read(name: &str, tokens: TokenStream) -> (Ast, Errors) {
     let mut parser = Parser::default();
+    let tokens = tokens::flatten(tokens).unwrap_or_else(|error| {
+        parser.errors = Errors::from(error);
+        Vec::new()
+    });
     let mut cursor = Cursor::new(&tokens);
     let range = match (tokens.first(), tokens.last()) {
         (Some(first), Some(last)) => Range::of(first.span).to(Range::of(last.span)),
@@ -48,7 +66,7 @@ pub fn parse(name: &str, tokens: TokenStream) -> Result<Ast, Errors> {
         exprs: parser.exprs,
         range,
     };
-    parser.errors.or(ast)
+    (ast, parser.errors)
 }
 
 /// Reads a lone expression, such as a value on the command line.
@@ -78,6 +96,7 @@ impl Parser {
         let mut is_first = true;
         while !cursor.is_at_end() {
             let start = cursor.position();
+            let mut begun = *cursor;
             let read = self.doc_lines(cursor).and_then(|(inner, outer)| {
                 if !is_first && !inner.is_empty() {
                     let message = "expected the `//!` lines of the model above its first statement";
@@ -94,12 +113,14 @@ impl Parser {
                 if cursor.is_at_end() || cursor.eat_punct(';') {
                     return Ok(None);
                 }
+                begun = *cursor;
                 self.statement(cursor, own_doc).map(Some)
             });
             match read {
                 Ok(item) => items.extend(item),
                 Err(diagnostic) => {
                     self.errors.add(diagnostic);
+                    items.extend(self.remnant(begun));
                     recover(cursor, start);
                 }
             }

@@ -7,6 +7,7 @@ use super::expression::missing_operator;
 use super::tokens::Kind;
 use super::types;
 use crate::ast::Declaration;
+use crate::ast::ExprKind;
 use crate::ast::Form;
 use crate::ast::Item;
 use crate::ast::KEYWORDS;
@@ -16,6 +17,8 @@ use crate::ast::OutputKind;
 use crate::ast::TypeExpr;
 use crate::diagnostic::Diagnostic;
 use crate::diagnostic::Range;
+use num_rational::BigRational;
+use num_traits::Zero;
 
 /// Least Jaro-Winkler similarity, from 0 to 1, of a word to the keyword it was meant to be.
 /// `parameter` has 0.91 to `param`, `invariants` 0.98, unrelated words less than 0.7.
@@ -59,6 +62,38 @@ impl Parser {
             "require" => self.claim(cursor, keyword, true),
             _ => self.claim(cursor, keyword, false),
         }
+    }
+
+    /// What a declaration with a mistake still declares, the cursor at its keyword.
+    pub(super) fn remnant(&mut self, mut cursor: Cursor) -> Option<Item> {
+        let keyword = cursor.peek().cloned();
+        cursor.skip();
+        let name = declared_name(&mut cursor).ok()?;
+        let range = name.range;
+        let ty = types::parse(&mut cursor).unwrap_or_default();
+        let declaration = Declaration {
+            doc: Vec::new(),
+            name,
+            ty,
+            value: None,
+        };
+        let Some(Kind::Ident(keyword)) = keyword else {
+            return None;
+        };
+        let kind = match keyword.as_str() {
+            "param" => return Some(Item::Parameter(declaration)),
+            "state" => return Some(Item::State(declaration)),
+            "invariant" => OutputKind::Invariant,
+            "observe" => OutputKind::Observable,
+            _ => return None,
+        };
+        Some(Item::Output(Output {
+            doc: Vec::new(),
+            kind,
+            name: declaration.name,
+            ty: declaration.ty,
+            value: self.push(ExprKind::Number(BigRational::zero()), range),
+        }))
     }
 
     /// `NAME: TYPE = VALUE;` of a parameter or an unknown; `value` says what the value is.

@@ -144,6 +144,26 @@ fn growing_corrections_are_divergence() {
     assert!(solve!(Arctangent, [1.3], DEFAULT).1.is_ok());
 }
 
+/// √x = 1, without a value for x < 0.
+struct SquareRoot;
+impl Problem<1> for SquareRoot {
+    fn evaluate([x]: [f64; 1]) -> Evaluated<1> {
+        ([x.sqrt() - 1.0], [[0.5 / x.sqrt()]])
+    }
+}
+
+#[test]
+fn a_start_that_fails_falls_back_to_the_guess() {
+    let mut stepper = Stepper::<Root<SquareRoot, _>>::new(Flat([]), Flat([2.5]), 1.0).unwrap();
+    stepper.step().unwrap();
+    // The first step moved by −1.5, so the second starts from −0.5, fails, and starts again from the root.
+    let before = stepper.statistics().residuals;
+    let report = stepper.step().unwrap();
+    assert_eq!(report.iterations, 1);
+    assert_eq!(stepper.statistics().residuals, before + 2);
+    assert!((stepper.state().0[0] - 1.0).abs() <= f64::EPSILON);
+}
+
 /// x + y = 1 twice over.
 struct Dependent;
 impl Problem<2> for Dependent {
