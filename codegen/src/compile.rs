@@ -16,6 +16,7 @@ use crate::emit::errors;
 use crate::emit::stub;
 use crate::explicit::explicit;
 use crate::finding::Finding;
+use crate::finite::finite;
 use crate::lower::lower_continuous;
 use crate::lower::lower_discrete;
 use crate::model::Model;
@@ -83,6 +84,7 @@ pub struct Analysis {
 pub fn analyse(name: &str, tokens: TokenStream) -> Result<Analysis, Errors> {
     let model = check(&parse(name, tokens)?)?;
     let equations = continuous(&model)?;
+    finite(&model, &equations)?;
     let mut systems = Vec::new();
     let mut findings = Vec::new();
     for &form in &model.forms {

@@ -19,6 +19,8 @@
 use ::residua::Catalogued;
 use ::std::fmt;
 
+pub mod study;
+
 include!(concat!(env!("OUT_DIR"), "/catalogue.rs"));
 
 /// A model file and what became of it.

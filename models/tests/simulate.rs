@@ -157,3 +157,17 @@ fn runge_kutta_runs_the_continuous_equations() {
     let difference = (newton[100][4] - rk4[100][4]).abs();
     assert!(difference > 0.0 && difference < 1e-3, "{difference}");
 }
+
+#[test]
+fn outputs_without_a_value_are_counted() {
+    let outcome = succeed("simulate elastic --until 0.1 --set m=1e-300 --out -");
+    let warning = "warning: speed is no finite number in 11 rows";
+    assert!(outcome.stderr.contains(warning), "{}", outcome.stderr);
+}
+
+#[test]
+fn rows_and_picture_need_two_files() {
+    let line = "simulate elastic --until 0.1 --out one --plot one";
+    let outcome = residua_in(&folder("one_file"), line);
+    assert_refused(&outcome, 2, &["--out and --plot name the same file"]);
+}

@@ -79,8 +79,12 @@ impl fmt::Display for StepError {
                 return write!(f, "{comma} is {value} after {}", Iterations(iterations));
             }
         };
-        write!(f, "{outcome} after {}; ", Iterations(iterations))?;
-        write!(f, "largest residual {value:.1e} in ")?;
+        write!(f, "{outcome} after {}", Iterations(iterations))?;
+        // A residual that vanishes has nothing to tell.
+        if value == 0.0 {
+            return Ok(());
+        }
+        write!(f, "; largest residual {value:.1e} in ")?;
         self.write_place(f)
     }
 }

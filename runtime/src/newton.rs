@@ -110,12 +110,18 @@ impl<S: Solvable<T>, T: Real> Newton<S, T> {
 
             let progress = self.progress(&correction, known);
             self.history.push(progress.size.to_f64());
-            if progress.converged || self.is_last(progress.size, before) {
+            if self.is_last(progress.size, before) {
                 return Ok(self.report(Success::Converged, progress));
+            }
+            if progress.converged {
+                let is_shrinking = progress.size <= before;
+                if is_shrinking || self.residual_has_fallen(scene, step, known, statistics) {
+                    return Ok(self.report(Success::Converged, progress));
+                }
             }
             if progress.shrinking {
                 growths = 0;
-            } else if progress.small || self.residual_is_rounding(known) {
+            } else if self.residual_is_rounding(known) {
                 return Ok(self.report(Success::AtFloor, progress));
             } else {
                 growths += 1;
@@ -127,6 +133,26 @@ impl<S: Solvable<T>, T: Real> Newton<S, T> {
             before = progress.size;
         }
         Err(Failure::Stalled)
+    }
+
+    /// Whether the residual after the correction is less than a tenth of that before, or rounding. Where there is
+    /// no larger correction before one within the tolerance, nothing else tells convergence from an equation so
+    /// steep that no correction is large.
+    #[cold]
+    fn residual_has_fallen(
+        &mut self,
+        scene: &S::Scene,
+        step: &S::Step,
+        known: &[T],
+        statistics: &mut Statistics,
+    ) -> bool {
+        let before = self.r;
+        S::residual(scene, step, &self.x, &mut self.r);
+        statistics.residuals += 1;
+        let tenth = T::constant(0.1);
+        let pairs = self.r.as_ref().iter().zip(before.as_ref());
+        let mut fell = pairs.map(|(r, before)| r.abs() <= tenth * before.abs());
+        fell.all(|fell| fell) || self.residual_is_rounding(known)
     }
 
     /// Whether the error left after a correction of size `e` is within the tolerance even if convergence were
@@ -165,11 +191,9 @@ impl<S: Solvable<T>, T: Real> Newton<S, T> {
     /// by another block, so the verdict does not depend on the units of the states.
     fn progress(&self, correction: &S::Unknowns, known: &[T]) -> Progress<T> {
         let zero = T::constant(0.0);
-        let floor = T::EPSILON.sqrt();
         let mut progress = Progress {
             size: zero,
             converged: true,
-            small: true,
             shrinking: true,
         };
         for (unknowns, scale) in self.blocks(known) {
@@ -178,7 +202,6 @@ impl<S: Solvable<T>, T: Real> Newton<S, T> {
             let within = length <= self.settings.tolerance * scale;
             if !within {
                 progress.converged = false;
-                progress.small &= length <= floor * scale;
                 progress.shrinking &= length < before;
             }
             if length > progress.size * scale {
@@ -189,8 +212,8 @@ impl<S: Solvable<T>, T: Real> Newton<S, T> {
     }
 
     /// Whether every |rᵢ| is within rounding of Σ |Jᵢⱼ| |xⱼ|, the size of its terms (the componentwise
-    /// backward error of Oettli and Prager, 1964). It tells noise in unknowns that vanish, such as the
-    /// increment of a body at rest, from corrections that do not shrink because Newton's method fails.
+    /// backward error of Oettli and Prager, 1964). It tells noise from corrections that do not shrink because
+    /// Newton's method fails.
     fn residual_is_rounding(&self, known: &[T]) -> bool {
         let (r, j) = (self.r.as_ref(), self.j.entries());
         let rounding = T::constant(ROUNDING) * T::EPSILON;
@@ -228,8 +251,6 @@ struct Progress<T> {
     size: T,
     /// Every block is within the tolerance.
     converged: bool,
-    /// Every block is within √ε, or within the tolerance.
-    small: bool,
     /// Every block that is not within the tolerance was corrected less than the time before.
     shrinking: bool,
 }

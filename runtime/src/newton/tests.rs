@@ -144,6 +144,41 @@ fn growing_corrections_are_divergence() {
     assert!(solve!(Arctangent, [1.3], DEFAULT).1.is_ok());
 }
 
+/// x = 10⁷ + 0.003 − 0.01 sign(x − 10⁷) has no root: the sign flips before x gets there.
+struct Jump;
+impl Problem<1> for Jump {
+    fn evaluate([x]: [f64; 1]) -> Evaluated<1> {
+        let offset = x - 1e7;
+        ([offset - 0.003 + 0.01 * offset.signum()], [[1.0]])
+    }
+}
+
+#[test]
+fn corrections_small_beside_a_large_unknown_are_no_success() {
+    let (_, outcome) = solve!(Jump, [1e7 + 0.003], DEFAULT);
+    assert!(outcome.is_err(), "{:?}", outcome.unwrap());
+}
+
+/// x − 1 + 0.01 (tanh(2·10¹³ (x − 1)) + 2) = 0 with the root 0.99. At x = 1 it is so steep that Newton's
+/// correction is 10⁻¹³.
+struct Steep;
+impl Problem<1> for Steep {
+    fn evaluate([x]: [f64; 1]) -> Evaluated<1> {
+        let tanh = (2e13 * (x - 1.0)).tanh();
+        let r = x - 1.0 + 0.01 * (tanh + 2.0);
+        ([r], [[1.0 + 2e11 * (1.0 - tanh * tanh)]])
+    }
+}
+
+#[test]
+fn a_first_correction_within_the_tolerance_is_checked() {
+    let (root, outcome) = solve!(Steep, [1.0], DEFAULT);
+    assert!(
+        outcome.is_err() || (root[0] - 0.99).abs() < 1e-9,
+        "{root:?}"
+    );
+}
+
 /// √x = 1, without a value for x < 0.
 struct SquareRoot;
 impl Problem<1> for SquareRoot {

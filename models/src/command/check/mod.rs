@@ -99,7 +99,7 @@ fn verdict(reports: &[ModelReport]) -> Result<(), Failure> {
     }
 }
 
-fn check(model: &Catalogued, range: &Range) -> ModelReport {
+fn check(model: &'static Catalogued, range: &Range) -> ModelReport {
     let solvers: Vec<SolverReport> = model
         .solvers
         .iter()
@@ -118,7 +118,11 @@ fn check(model: &Catalogued, range: &Range) -> ModelReport {
     }
 }
 
-fn check_solver(model: &Catalogued, solver: &dyn AnySolver, range: &Range) -> SolverReport {
+fn check_solver(
+    model: &'static Catalogued,
+    solver: &'static dyn AnySolver,
+    range: &Range,
+) -> SolverReport {
     let points = points::random_points(model, solver);
     let run = check_run(model, solver, range);
     SolverReport {
@@ -130,8 +134,8 @@ fn check_solver(model: &Catalogued, solver: &dyn AnySolver, range: &Range) -> So
 }
 
 fn check_run(
-    model: &Catalogued,
-    solver: &dyn AnySolver,
+    model: &'static Catalogued,
+    solver: &'static dyn AnySolver,
     range: &Range,
 ) -> Result<RunReport, String> {
     let runs = order::runs(model, solver, range)?;
@@ -139,6 +143,6 @@ fn check_run(
         residual: residual::at_accepted_steps(model, solver, range, &runs[0])?,
         consistency: order::consistency(model, solver, range, &runs[0])?,
         convergence: order::convergence(&runs),
-        invariants: order::invariants(model, &runs),
+        invariants: order::invariants(model, solver, range)?,
     })
 }

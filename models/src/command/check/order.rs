@@ -1,11 +1,12 @@
 //! How errors shrink with the step: convergence, consistency with the flow, drift of invariants.
 
-use super::report::{Decay, InvariantReport};
-use super::residual::{largest_difference, solve};
-use crate::columns::{ordered_outputs, size};
-use crate::values;
-use residua::erased::{AnySolver, Point, Run, Sample};
-use residua::{Catalogued, Settings};
+use super::report::{Consistency, InvariantReport};
+use super::residual::solve;
+use residua::erased::{AnySolver, Point, Sample};
+use residua::{Catalogued, Component};
+use residua_models::study::{
+    Case, Conservation, Decay, Method, conservation, largest_difference, largest_size,
+};
 use std::ops::ControlFlow;
 
 /// Relative size from which a difference between runs counts as rounding. Runs of some hundred steps
@@ -24,14 +25,6 @@ pub struct Range {
     pub h: f64,
     /// Number of coarsest steps.
     pub steps: u64,
-}
-
-/// Parameters and start state.
-pub struct Start {
-    /// Flat.
-    pub parameters: Vec<f64>,
-    /// Flat.
-    pub state: Vec<f64>,
 }
 
 /// A state of a run.
@@ -61,33 +54,15 @@ impl Range {
     }
 }
 
-impl Start {
-    /// The model's own.
-    pub fn of(model: &Catalogued) -> Self {
-        let parameters = values::defaults(model);
-        let state = values::start(model, &parameters);
-        Self { parameters, state }
-    }
-}
-
 /// Every state of a run.
 fn trajectory(
     solver: &dyn AnySolver,
-    start: &Start,
+    case: &Case,
     h: f64,
     steps: u64,
 ) -> Result<Vec<Moment>, String> {
-    let run = Run {
-        parameters: &start.parameters,
-        start: &start.state,
-        h,
-        t0: 0.0,
-        steps,
-        every: 1,
-        settings: Settings::default(),
-    };
     let mut moments = Vec::new();
-    let outcome = solver.simulate(&run, &mut |sample: Sample<'_>| {
+    let outcome = solver.simulate(&case.run(h, steps), &mut |sample: Sample<'_>| {
         moments.push(Moment {
             t: sample.t,
             state: sample.state.to_vec(),
@@ -98,11 +73,15 @@ fn trajectory(
 }
 
 /// The three runs of a solver from the model's own start.
-pub fn runs(model: &Catalogued, solver: &dyn AnySolver, range: &Range) -> Result<Runs, String> {
-    let start = Start::of(model);
+pub fn runs(
+    model: &'static Catalogued,
+    solver: &dyn AnySolver,
+    range: &Range,
+) -> Result<Runs, String> {
+    let case = Case::of_file(model);
     let run = |halvings: u32| {
         let parts = 1 << halvings;
-        trajectory(solver, &start, range.h / parts as f64, range.steps * parts)
+        trajectory(solver, &case, range.h / parts as f64, range.steps * parts)
     };
     Ok([run(0)?, run(1)?, run(2)?])
 }
@@ -121,22 +100,23 @@ pub fn convergence([coarse, middle, fine]: &Runs) -> Decay {
 /// Largest |Δx/h − f(t + h/2, (x + x[k+1])/2)| over states along a run, for h, h/2 and h/4; `None` if the
 /// model has no continuous equations. It vanishes with h if the residual discretises them.
 pub fn consistency(
-    model: &Catalogued,
+    model: &'static Catalogued,
     solver: &dyn AnySolver,
     range: &Range,
     run: &[Moment],
-) -> Result<Option<Decay>, String> {
+) -> Result<Option<Consistency>, String> {
     let Some(flow) = model.flow else {
         return Ok(None);
     };
-    let start = Start::of(model);
+    let case = Case::of_file(model);
     let mut errors = [0.0; 3];
     let mut floor = 0.0_f64;
+    let mut worst = 0;
     for moment in run.iter().step_by(run.len().div_ceil(N_LOOKS)) {
         for (halvings, error) in errors.iter_mut().enumerate() {
             let h = range.h / f64::from(1 << halvings);
             let at = Point {
-                parameters: &start.parameters,
+                parameters: &case.parameters,
                 h,
                 t: moment.t,
                 state: &moment.state,
@@ -147,68 +127,41 @@ pub fn consistency(
             let middle: Vec<f64> = ends.clone().map(|(a, b)| a + (b - a) / 2.0).collect();
             let slope: Vec<f64> = ends.map(|(a, b)| (b - a) / h).collect();
             let mut rate = vec![0.0; slope.len()];
-            flow.flow(&start.parameters, moment.t + h / 2.0, &middle, &mut rate);
-            *error = f64::max(*error, largest_difference(&slope, &rate));
+            flow.flow(&case.parameters, moment.t + h / 2.0, &middle, &mut rate);
+            let apart = largest_difference(&slope, &rate);
+            if apart > *error {
+                *error = apart;
+                let off = |i: usize| (slope[i] - rate[i]).abs();
+                let components = 0..slope.len();
+                worst = components
+                    .max_by(|&i, &j| off(i).total_cmp(&off(j)))
+                    .unwrap_or(0);
+            }
             floor = floor.max(ROUNDING * largest_size(&moment.state) / h);
         }
     }
-    Ok(Some(Decay::new(&errors, floor)))
-}
-
-/// Drift of every invariant over the runs with h and h/2.
-pub fn invariants(model: &Catalogued, [coarse, middle, _]: &Runs) -> Vec<InvariantReport> {
-    let placed = ordered_outputs(model.description);
-    let n_outputs = placed.iter().map(|output| size(output.variable)).sum();
-    let Start { parameters, .. } = Start::of(model);
-    let outputs = |moment: &Moment, h: f64| {
-        let mut values = vec![0.0; n_outputs];
-        model
-            .model
-            .outputs(&parameters, h, moment.t, &moment.state, &mut values);
-        values
+    let component = Component {
+        variables: model.description.states,
+        position: worst,
     };
-    let mut reports = Vec::new();
-    for output in placed.iter().filter(|output| output.invariant) {
-        let own = output.offset..output.offset + size(output.variable);
-        let drift = |run: &[Moment]| {
-            let h = run.get(1).map_or(0.0, |moment| moment.t - run[0].t);
-            let first = outputs(&run[0], h)[own.clone()].to_vec();
-            let drifts = run
-                .iter()
-                .map(|m| largest_difference(&outputs(m, h)[own.clone()], &first));
-            drifts.fold(0.0, f64::max)
-        };
-        let terms = middle.last().map_or(0.0, |moment| {
-            term_size(&moment.state, |state| {
-                let shifted = Moment {
-                    t: moment.t,
-                    state: state.to_vec(),
-                };
-                outputs(&shifted, 0.0)[own.clone()].to_vec()
-            })
-        });
-        reports.push(InvariantReport {
-            name: output.variable.name,
-            drift: Decay::new(&[drift(coarse), drift(middle)], ROUNDING * terms),
-        });
-    }
-    reports
+    Ok(Some(Consistency {
+        decay: Decay::new(&errors, floor),
+        worst: component.to_string(),
+    }))
 }
 
-/// Σⱼ |∂y/∂xⱼ| |xⱼ|: how large the terms of y are, even where they cancel.
-fn term_size(state: &[f64], value: impl Fn(&[f64]) -> Vec<f64>) -> f64 {
-    const SHIFT: f64 = 1e-3;
-    let here = value(state);
-    let mut shifted = state.to_vec();
-    let mut sum = largest_size(&here);
-    for (j, &x) in state.iter().enumerate() {
-        shifted[j] = x * (1.0 + SHIFT);
-        sum += largest_difference(&value(&shifted), &here) / SHIFT;
-        shifted[j] = x;
-    }
-    sum
-}
-
-fn largest_size(values: &[f64]) -> f64 {
-    values.iter().fold(0.0, |size, value| size.max(value.abs()))
+/// Drift of every invariant over runs with h, h/2 and h/4.
+pub fn invariants(
+    model: &'static Catalogued,
+    solver: &'static dyn AnySolver,
+    range: &Range,
+) -> Result<Vec<InvariantReport>, String> {
+    let case = Case::of_file(model);
+    let kept = conservation(&case, Method::Newton(solver), range.h, range.steps);
+    let report = |found: Conservation| InvariantReport {
+        name: found.name,
+        drift: found.drift,
+    };
+    let kept = kept.map_err(|error| error.to_string())?;
+    Ok(kept.into_iter().map(report).collect())
 }

@@ -3,10 +3,8 @@
 use super::jacobian::{CENTRAL_BOUND, DUAL_BOUND};
 use super::residual::{RESIDUAL_BOUND, STEP_BOUND};
 use residua::description::{Claim, Difference};
+use residua_models::study::Decay;
 use serde::Serialize;
-
-/// A slope below this does not vanish with the step: the lowest order of a useful scheme is 1.
-const LOWEST_ORDER: f64 = 0.5;
 
 /// One model.
 #[derive(Serialize)]
@@ -47,7 +45,7 @@ pub struct RunReport {
     /// At its steps.
     pub residual: ResidualReport,
     /// Of one step with the continuous equations, if there are any.
-    pub consistency: Option<Decay>,
+    pub consistency: Option<Consistency>,
     /// Of its last state.
     pub convergence: Decay,
     /// Over all of it.
@@ -56,8 +54,21 @@ pub struct RunReport {
 
 impl RunReport {
     fn passed(&self) -> bool {
-        self.residual.passed() && self.consistency.as_ref().is_none_or(Decay::vanishes)
+        let mut decays = self.invariants.iter().map(|invariant| &invariant.drift);
+        self.residual.passed()
+            && self.consistency.as_ref().is_none_or(|c| c.decay.vanishes())
+            && self.convergence.vanishes()
+            && decays.all(Decay::vanishes)
     }
+}
+
+/// Steps against the continuous equations.
+#[derive(Serialize)]
+pub struct Consistency {
+    /// Largest |Δx/h − flow| with h, h/2, h/4.
+    pub decay: Decay,
+    /// The component of the state in which it is largest with the smallest step.
+    pub worst: String,
 }
 
 /// The generated Jacobian against independent derivatives.
@@ -112,39 +123,8 @@ impl ResidualReport {
 pub struct InvariantReport {
     /// Its name.
     pub name: &'static str,
-    /// Largest over the run, with h and h/2.
+    /// Largest over the run, with h, h/2 and h/4.
     pub drift: Decay,
-}
-
-/// Errors for h, h/2, …
-#[derive(Serialize)]
-pub struct Decay {
-    /// Coarsest step first.
-    pub errors: Vec<f64>,
-    /// p of error ~ hᵖ; none if the errors are rounding.
-    pub order: Option<f64>,
-}
-
-impl Decay {
-    /// `floor` is the size of rounding.
-    pub fn new(errors: &[f64], floor: f64) -> Self {
-        let order = match errors {
-            [first, .., last] if *last > floor => {
-                let halvings = (errors.len() - 1) as f64;
-                Some((first / last).log2() / halvings)
-            }
-            _ => None,
-        };
-        Self {
-            errors: errors.to_vec(),
-            order,
-        }
-    }
-
-    /// The errors go to zero with the step.
-    pub fn vanishes(&self) -> bool {
-        self.order.is_none_or(|order| order > LOWEST_ORDER)
-    }
 }
 
 /// A printed Jacobian.

@@ -3,11 +3,12 @@
 //! A plain Newton iteration, written here and not the runtime's, solves for the unknowns; its step must be
 //! the runtime's step.
 
-use super::order::{Moment, Range, Start};
+use super::order::{Moment, Range};
 use super::points::n_unknowns;
 use super::report::ResidualReport;
 use residua::Catalogued;
 use residua::erased::{AnySolver, Point};
+use residua_models::study::{Case, largest_difference};
 
 /// Largest residual taken for rounding, in units of ε times the size of its terms: room for
 /// sums of some hundred terms.
@@ -28,17 +29,17 @@ pub struct Solution {
 
 /// Solves every step of a run with the defaults anew.
 pub fn at_accepted_steps(
-    model: &Catalogued,
+    model: &'static Catalogued,
     solver: &dyn AnySolver,
     range: &Range,
     run: &[Moment],
 ) -> Result<ResidualReport, String> {
     let mut report = ResidualReport::default();
-    let start = Start::of(model);
+    let case = Case::of_file(model);
     for (taken, pair) in run.windows(2).enumerate() {
         let [before, after] = pair else { continue };
         let at = Point {
-            parameters: &start.parameters,
+            parameters: &case.parameters,
             h: range.h,
             t: before.t,
             state: &before.state,
@@ -126,18 +127,6 @@ fn in_rounding(r: &[f64], sizes: &[f64]) -> f64 {
         _ => f64::INFINITY,
     });
     ratios.fold(0.0, f64::max)
-}
-
-/// Largest component of |a − b|, infinite if one is not finite.
-pub fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
-    let differences = a.iter().zip(b).map(|(a, b)| (a - b).abs());
-    differences.fold(0.0, |largest, d| {
-        if d.is_nan() {
-            f64::INFINITY
-        } else {
-            largest.max(d)
-        }
-    })
 }
 
 /// x with A x = b, by elimination with row pivoting; `None` if A is singular or not finite.

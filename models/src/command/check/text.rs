@@ -1,23 +1,10 @@
 //! What `check` found, for people.
 
 use super::report::{
-    ClaimReport, Decay, EntryReport, JacobianReport, ModelReport, RunReport, SolverReport,
+    ClaimReport, Consistency, EntryReport, InvariantReport, JacobianReport, ModelReport, RunReport,
+    SolverReport,
 };
 use std::fmt;
-
-impl fmt::Display for Decay {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let errors: Vec<String> = self
-            .errors
-            .iter()
-            .map(|error| format!("{error:.1e}"))
-            .collect();
-        match self.order {
-            Some(order) => write!(f, "order {order:.2} ({})", errors.join(", ")),
-            None => write!(f, "exact to rounding ({})", errors.join(", ")),
-        }
-    }
-}
 
 impl fmt::Display for ModelReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -55,20 +42,19 @@ impl fmt::Display for RunReport {
             residual.steps,
             residual.step_difference
         )?;
-        if let Some(decay) = consistency {
-            writeln!(
-                f,
-                "    consistency  {}: Δx/h − flow: {decay}",
-                mark(decay.vanishes())
-            )?;
+        if let Some(Consistency { decay, worst }) = consistency {
+            let passed = decay.vanishes();
+            write!(f, "    consistency  {}: Δx/h − flow: {decay}", mark(passed))?;
+            if !passed {
+                write!(f, ", largest in {worst}")?;
+            }
+            writeln!(f)?;
         }
-        writeln!(f, "    convergence  {convergence}")?;
-        for invariant in invariants {
-            writeln!(
-                f,
-                "    drift        {}: {}",
-                invariant.name, invariant.drift
-            )?;
+        let passed = mark(convergence.vanishes());
+        writeln!(f, "    convergence  {passed}: {convergence}")?;
+        for InvariantReport { name, drift } in invariants {
+            let passed = mark(drift.vanishes());
+            writeln!(f, "    drift        {passed}: {name}: {drift}")?;
         }
         Ok(())
     }

@@ -1,4 +1,4 @@
-//! How far the invariants of a run move from where they start.
+//! How far the invariants of a run move from where they start, and what has no value on the way.
 
 use crate::columns::{Placed, size};
 use crate::notation::{number, unit};
@@ -6,9 +6,18 @@ use residua::description::Variable;
 use std::fmt;
 use std::ops::Range;
 
-/// The drift of every invariant.
+/// The drift of every invariant, and the outputs without a value.
 pub struct Drift {
     invariants: Vec<Invariant>,
+    outputs: Vec<Output>,
+}
+
+struct Output {
+    name: &'static str,
+    /// Its place in the row.
+    own: Range<usize>,
+    /// Rows in which it is infinite or NaN.
+    holes: u64,
 }
 
 struct Invariant {
@@ -23,7 +32,7 @@ struct Invariant {
 impl Drift {
     /// For rows of `n_states` states and then these outputs.
     pub fn new(outputs: Vec<Placed>, n_states: usize) -> Self {
-        let mut invariants = Vec::new();
+        let (mut invariants, mut listed) = (Vec::new(), Vec::new());
         let mut column = n_states;
         for Placed {
             variable,
@@ -33,6 +42,11 @@ impl Drift {
         {
             let own = column..column + size(variable);
             column = own.end;
+            listed.push(Output {
+                name: variable.name,
+                own: own.clone(),
+                holes: 0,
+            });
             if invariant {
                 invariants.push(Invariant {
                     variable,
@@ -43,7 +57,10 @@ impl Drift {
                 });
             }
         }
-        Self { invariants }
+        Self {
+            invariants,
+            outputs: listed,
+        }
     }
 
     /// Takes in one row.
@@ -59,6 +76,10 @@ impl Drift {
                 .map(|(v, s)| (v - s).abs());
             invariant.last = drifts.fold(0.0, larger);
             invariant.largest = larger(invariant.largest, invariant.last);
+        }
+        for output in &mut self.outputs {
+            let is_finite = row[output.own.clone()].iter().all(|v| v.is_finite());
+            output.holes += u64::from(!is_finite);
         }
     }
 }
@@ -83,6 +104,13 @@ impl fmt::Display for Drift {
             writeln!(
                 f,
                 ": drift {last:.1e}{unit} at the end, {largest:.1e} at most"
+            )?;
+        }
+        for Output { name, holes, .. } in self.outputs.iter().filter(|o| o.holes > 0) {
+            let plural = if *holes == 1 { "" } else { "s" };
+            writeln!(
+                f,
+                "warning: {name} is no finite number in {holes} row{plural}"
             )?;
         }
         Ok(())

@@ -97,6 +97,9 @@ impl Simulate {
         if let Some(note) = plan.note.as_ref().filter(|_| !self.quiet) {
             eprintln!("note: {note}");
         }
+        if self.out.is_some() && self.out == self.plot {
+            return Err(Failure::input("--out and --plot name the same file"));
+        }
         // Before the run, so that a bad path does not cost one.
         let picture = self.plot.as_deref().map(create).transpose()?;
         let mut recorder = self.recorder(model, &plan)?;
