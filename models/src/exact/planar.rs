@@ -72,7 +72,14 @@ impl PlanarPendulum {
     }
 
     /// The same with each number a decimal, so that 9.81 is 981/100, which no `f64` is.
-    pub fn from_decimals(m: &str, j: &str, l: &str, g: &str, theta0: &str, omega0: &str) -> Result<Self, Invalid> {
+    pub fn from_decimals(
+        m: &str,
+        j: &str,
+        l: &str,
+        g: &str,
+        theta0: &str,
+        omega0: &str,
+    ) -> Result<Self, Invalid> {
         let read = |name, text: &str| text.parse().map_err(|_| Invalid::NotDecimal { name });
         Self::from_doubles([
             read("m", m)?,
@@ -107,7 +114,11 @@ impl PlanarPendulum {
         let regime = if modulus == Double::ZERO {
             Regime::Hanging
         } else if excess.abs().to_f64() > ON_THE_SEPARATRIX {
-            if excess.to_f64() > 0.0 { Regime::Swinging } else { Regime::Rotating }
+            if excess.to_f64() > 0.0 {
+                Regime::Swinging
+            } else {
+                Regime::Rotating
+            }
         } else if w.abs().to_f64() > ON_THE_SEPARATRIX {
             Regime::Separatrix
         } else {
@@ -130,9 +141,11 @@ impl PlanarPendulum {
                 let start = elliptic.argument(sin * sense, cos);
                 (elliptic, frequency, start)
             }
-            Regime::Hanging | Regime::Upright => {
-                (Elliptic::new(Double::ZERO, Double::ONE), frequency, Double::ZERO)
-            }
+            Regime::Hanging | Regime::Upright => (
+                Elliptic::new(Double::ZERO, Double::ONE),
+                frequency,
+                Double::ZERO,
+            ),
         };
         Ok(Self {
             regime,

@@ -27,6 +27,8 @@ pub use maps::same_maps;
 pub use method::Method;
 pub use scene::SCENES;
 pub use scene::Scene;
+pub use scene::System;
+pub use schemes::Found;
 pub use schemes::Row;
 pub use schemes::schemes;
 pub use signals::Correspondence;

@@ -2,8 +2,30 @@
 
 use super::case::Case;
 use crate::CATALOGUE;
+use crate::exact::Invalid;
+use crate::exact::PlanarPendulum;
+use crate::exact::SpatialPendulum;
 use crate::find;
 use residua::Catalogued;
+
+/// A physical system.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum System {
+    /// The planar pendulum.
+    Planar,
+    /// A rigid body held at a point.
+    Spatial,
+}
+
+impl System {
+    /// The model whose parameters and state the exact motion is given in.
+    pub fn reference(self) -> &'static str {
+        match self {
+            System::Planar => "planar_angle",
+            System::Spatial => "spatial_group",
+        }
+    }
+}
 
 /// A motion of a physical system, to be followed by every model of that system.
 pub struct Scene {
@@ -11,8 +33,8 @@ pub struct Scene {
     pub name: &'static str,
     /// What it is.
     pub caption: &'static str,
-    /// The model whose parameters and state the exact solution is given in.
-    pub reference: &'static str,
+    /// Whose motion it is.
+    pub system: System,
     /// Parameters that differ from the file's: ASCII name and components row by row.
     pub parameters: &'static [(&'static str, &'static [f64])],
     /// Start values of the states that are rates; the attitude is the file's.
@@ -31,7 +53,7 @@ pub const SCENES: &[Scene] = &[
     Scene {
         name: "planar-paper",
         caption: "planar, ω₀ = 1 rad/s: the swing of Section 6, 11.6° wide",
-        reference: "planar_angle",
+        system: System::Planar,
         parameters: &[],
         rates: &[1.0],
         h: 0.01,
@@ -41,7 +63,7 @@ pub const SCENES: &[Scene] = &[
     Scene {
         name: "planar-large",
         caption: "planar, ω₀ = 9.8 rad/s: a swing up to 163°",
-        reference: "planar_angle",
+        system: System::Planar,
         parameters: &[],
         rates: &[9.8],
         h: 0.01,
@@ -51,7 +73,7 @@ pub const SCENES: &[Scene] = &[
     Scene {
         name: "planar-rotation",
         caption: "planar, ω₀ = 10.5 rad/s: turning over the top",
-        reference: "planar_angle",
+        system: System::Planar,
         parameters: &[],
         rates: &[10.5],
         h: 0.01,
@@ -61,7 +83,7 @@ pub const SCENES: &[Scene] = &[
     Scene {
         name: "spatial-paper",
         caption: "3D, J = I, ρ = (0, 0, 0.7) m, from rest: the motion of Section 6",
-        reference: "spatial_group",
+        system: System::Spatial,
         parameters: &[],
         rates: &[0.0, 0.0, 0.0],
         h: 0.01,
@@ -71,7 +93,7 @@ pub const SCENES: &[Scene] = &[
     Scene {
         name: "spatial-asymmetric",
         caption: "3D, J = diag(1, 2.8, 2) kg m², ρ = (0, 0.1, 0.7) m, ω₀ = (0.5, −0.5, 0.4) rad/s",
-        reference: "spatial_group",
+        system: System::Spatial,
         parameters: &[
             ("J", &[1.0, 0.0, 0.0, 0.0, 2.8, 0.0, 0.0, 0.0, 2.0]),
             ("rho", &[0.0, 0.1, 0.7]),
@@ -84,7 +106,7 @@ pub const SCENES: &[Scene] = &[
     Scene {
         name: "spatial-top",
         caption: "a fast Lagrange top: J = diag(5.2, 5.2, 0.6) kg m², 100 rad/s about its axis",
-        reference: "spatial_group",
+        system: System::Spatial,
         parameters: &[("J", &[5.2, 0.0, 0.0, 0.0, 5.2, 0.0, 0.0, 0.0, 0.6])],
         rates: &[0.0, 0.0, 100.0],
         h: 0.001,
@@ -94,7 +116,7 @@ pub const SCENES: &[Scene] = &[
     Scene {
         name: "spatial-free",
         caption: "a free body about its middle axis: g = 0, J = diag(1, 2, 3) kg m², ω₀ = (0.01, 5, 0.01) rad/s",
-        reference: "spatial_group",
+        system: System::Spatial,
         parameters: &[
             ("J", &[1.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 3.0]),
             ("g", &[0.0]),
@@ -112,13 +134,13 @@ impl Scene {
     /// # Errors
     /// Where the catalogue has no such model.
     pub fn of_reference(&self) -> Result<Case, crate::UnknownModel> {
-        Ok(self.set(find(self.reference)?.catalogued))
+        Ok(self.set(find(self.system.reference())?.catalogued))
     }
 
     /// Every model of the system in this scene, in the order of the catalogue: those with the parameters of the
     /// reference.
     pub fn cases(&self) -> Vec<Case> {
-        let Ok(reference) = find(self.reference) else {
+        let Ok(reference) = find(self.system.reference()) else {
             return Vec::new();
         };
         let models = CATALOGUE.iter().map(|entry| entry.catalogued);
@@ -128,8 +150,37 @@ impl Scene {
 
     /// The generic scene of the same system.
     pub fn generic(&self) -> &'static Scene {
-        let of_system = |scene: &&Scene| scene.generic && scene.reference == self.reference;
+        let of_system = |scene: &&Scene| scene.generic && scene.system == self.system;
         SCENES.iter().find(of_system).unwrap_or(&SCENES[0])
+    }
+
+    /// The exact state of the reference model at the end.
+    ///
+    /// # Errors
+    /// Where there is none for the data of the scene.
+    pub fn exact_end(&self, reference: &Case) -> Result<Vec<f64>, Invalid> {
+        let Case {
+            parameters, start, ..
+        } = reference;
+        match self.system {
+            System::Planar => {
+                let [m, j, l, g] = array(parameters);
+                let [omega, theta] = array(start);
+                let state = PlanarPendulum::new(m, j, l, g, theta, omega)?.at(self.until);
+                Ok(vec![state.omega, state.theta])
+            }
+            System::Spatial => {
+                let body = SpatialPendulum {
+                    m: parameters[0],
+                    j: rows(&parameters[1..10]),
+                    rho: array(&parameters[10..13]),
+                    g: parameters[13],
+                };
+                let solution = body.solve(array(&start[..3]), rows(&start[3..]), &[self.until])?;
+                let state = solution.states[0];
+                Ok([&state.omega, state.attitude.as_flattened()].concat())
+            }
+        }
     }
 
     /// Steps of size `h` to the end.
@@ -151,6 +202,14 @@ impl Scene {
         }
         Case::with_parameters(model, parameters).with_rates(self.rates)
     }
+}
+
+fn array<const N: usize>(values: &[f64]) -> [f64; N] {
+    std::array::from_fn(|i| values[i])
+}
+
+fn rows(values: &[f64]) -> [[f64; 3]; 3] {
+    std::array::from_fn(|i| array(&values[3 * i..3 * i + 3]))
 }
 
 /// The same parameters, in name, shape and unit.
