@@ -59,6 +59,8 @@ const AXIS: i32 = 46;
 const LEFT: i32 = 64;
 /// Least and most space right of the curves for the legend, [px].
 const RIGHT: (i32, i32) = (104, 260);
+/// Space right of the curves where the legend is above them: half of the last number of the axis, [px].
+const EDGE: i32 = 16;
 /// Length of the line before a name in the legend, [px].
 const SWATCH_LINE: i32 = 22;
 /// Space that it takes with its margins, [px].
@@ -166,21 +168,36 @@ struct Frame {
     end: f64,
     /// Space right of the curves, [px].
     right: i32,
+    /// Where the names of the curves are.
+    legend: Legend,
+}
+
+#[derive(Clone, Copy)]
+enum Legend {
+    Right,
+    Above,
 }
 
 impl Frame {
-    fn around(panels: &[Panel], width: i32) -> Self {
+    fn around(figure: &Figure) -> Self {
+        let panels = &figure.panels;
         let (start, end) = extent(panels.iter().flat_map(|panel| &panel.curves), |p| p.0);
         let named = panels.iter().filter(|panel| panel.curves.len() > 1);
         let lengths = named
             .flat_map(|panel| &panel.curves)
             .map(|curve| curve.label.chars().count() as i32);
         let (least, most) = RIGHT;
+        let beside = (SWATCH + LETTER * lengths.max().unwrap_or(0)).clamp(least, most);
+        let (legend, right) = match figure.title.is_empty() {
+            true => (Legend::Above, EDGE),
+            false => (Legend::Right, beside),
+        };
         Self {
-            width,
+            width: figure.width,
             start,
             end: if end > start { end } else { start + 1.0 },
-            right: (SWATCH + LETTER * lengths.max().unwrap_or(0)).clamp(least, most),
+            right,
+            legend,
         }
     }
 }
@@ -196,7 +213,7 @@ fn draw<'a>(figure: &Figure, root: &Area<'a>) -> Drawn<'a> {
         write(&header, &figure.title, (22, 16), bold(17.0, INK))?;
         write(&header, &figure.subtitle, (22, 40), font(12.0, MUTED))?;
     }
-    let frame = Frame::around(&figure.panels, figure.width);
+    let frame = Frame::around(figure);
     let mut rest = body;
     for (i, panel) in figure.panels.iter().enumerate() {
         let last = i + 1 == figure.panels.len();
@@ -268,32 +285,47 @@ fn draw_caption<'a>(panel: &Panel, exponent: i32, area: &Area<'a>) -> Drawn<'a> 
     write(area, caption.trim_end(), (LEFT, 8), bold(12.5, INK))
 }
 
-/// The names of the curves, if there is more than one, on the right of a panel.
+/// The names of the curves, if there is more than one: on the right of a panel, or on its upper edge in a
+/// picture without a header.
 fn draw_legend<'a>(panel: &Panel, frame: &Frame, area: &Area<'a>) -> Drawn<'a> {
     if panel.curves.len() < 2 {
         return Ok(());
     }
-    let left = frame.width - frame.right + 14;
+    let named: Vec<_> = styled(panel)
+        .filter(|(curve, _)| !curve.label.is_empty())
+        .collect();
     let pitch = if panel.curves.len() > 6 { 13 } else { 17 };
-    let named = styled(panel).filter(|(curve, _)| !curve.label.is_empty());
-    for (i, (curve, style)) in named.enumerate() {
-        let y = CAPTION + 8 + pitch * i as i32;
-        area.draw(&PathElement::new(
-            [
-                (left * SCALE, y * SCALE),
-                ((left + SWATCH_LINE) * SCALE, y * SCALE),
-            ],
-            style.stroke_width(style.stroke_width.max(2 * SCALE as u32)),
-        ))?;
-        let middle = Pos::new(HPos::Left, VPos::Center);
-        write(
-            area,
-            &curve.label,
-            (left + SWATCH_LINE + 6, y),
-            font(12.0, INK).pos(middle),
-        )?;
+    let width = |curve: &Curve| SWATCH + LETTER * curve.label.chars().count() as i32;
+    let total: i32 = named.iter().map(|(curve, _)| width(curve)).sum();
+    let mut place = match frame.legend {
+        Legend::Right => (frame.width - frame.right + 14, CAPTION + 8),
+        Legend::Above => (frame.width - frame.right - total, 14),
+    };
+    for (curve, style) in named {
+        draw_name(curve, style, place, area)?;
+        match frame.legend {
+            Legend::Right => place.1 += pitch,
+            Legend::Above => place.0 += width(curve),
+        }
     }
     Ok(())
+}
+
+fn draw_name<'a>(
+    curve: &Curve,
+    style: ShapeStyle,
+    (left, y): (i32, i32),
+    area: &Area<'a>,
+) -> Drawn<'a> {
+    let right = left + SWATCH_LINE;
+    let stroke = style.stroke_width.max(2 * SCALE as u32);
+    area.draw(&PathElement::new(
+        [(left * SCALE, y * SCALE), (right * SCALE, y * SCALE)],
+        style.stroke_width(stroke),
+    ))?;
+    let middle = Pos::new(HPos::Left, VPos::Center);
+    let text = font(12.0, INK).pos(middle);
+    write(area, &curve.label, (right + 6, y), text)
 }
 
 fn write<'a>(area: &Area<'a>, text: &str, (x, y): (i32, i32), style: TextStyle<'_>) -> Drawn<'a> {

@@ -16,6 +16,10 @@ pub const WINDOW: f64 = 5.0;
 /// Sampled times may be this far outside a window by rounding, [s].
 pub const SLACK: f64 = 1e-9;
 
+fn largest(values: &[f64]) -> f64 {
+    values.iter().copied().fold(0.0, f64::max)
+}
+
 /// A swing: its angle and the rate of it, at the times of a run.
 pub struct Swing {
     times: Vec<f64>,
@@ -45,6 +49,8 @@ pub struct Measure {
     pub energy_error: f64,
     /// Largest part of ω across the axis of the exact swing, as a share of the largest ω; 0 in the plane.
     pub off_axis: f64,
+    /// Up to when that part is below [`COINCIDE`], [s].
+    pub on_axis_until: f64,
     /// Newton iterations per step.
     pub iterations: f64,
 }
@@ -52,87 +58,101 @@ pub struct Measure {
 impl Measure {
     /// Measures a run.
     pub fn of(run: &Wanted, made: &Recording, exact: &Recording) -> Result<Self, RunError> {
-        let planar = run.model.starts_with("planar");
-        let scene = if planar {
-            Planar::paper()?
-        } else {
-            Spatial::paper()?.swing
+        let (own, true_one) = match is_planar(run) {
+            true => (Swing::planar(made)?, Swing::planar(exact)?),
+            false => (Swing::spatial(run, made)?, Swing::tilt(exact, "Γ3")?),
         };
-        let own = if planar {
-            Swing::planar(made)?
-        } else {
-            Swing::spatial(run, made)?
-        };
-        let true_one = if planar {
-            Swing::planar(exact)?
-        } else {
-            Swing::tilt(exact, "Γ3")?
-        };
-        let amplitude = scene.amplitude(scene.angle, scene.velocity);
+        let amplitudes = amplitudes(run, made)?;
+        let amplitude = amplitudes.first().copied().unwrap_or(0.0);
         let range = 2.0 * amplitude;
         let end = made.times.last().copied().unwrap_or(0.0);
         let differences: Vec<f64> = own.differences(&true_one);
-        let within = |from: f64, to: f64| {
-            let inside = made.times.iter().zip(&differences);
+        let within = |values: &[f64], from: f64, to: f64| -> Vec<f64> {
+            let inside = made.times.iter().zip(values);
             let inside = inside.filter(|(t, _)| (from - SLACK..=to + SLACK).contains(*t));
-            inside
-                .map(|(_, difference)| *difference)
-                .fold(0.0, f64::max)
+            inside.map(|(_, value)| *value).collect()
         };
-        let parted = differences
-            .iter()
-            .position(|difference| *difference > COINCIDE * range);
-        let amplitudes = own.angles.iter().zip(&own.rates).zip(&own.times);
-        let late = amplitudes.filter(|(_, t)| **t >= end - WINDOW);
-        let late: Vec<f64> = late.map(|((a, r), _)| scene.amplitude(*a, *r)).collect();
+        let first_above = |values: &[f64], limit: f64| {
+            let above = values.iter().position(|value| *value > limit);
+            above.map_or(end, |i| made.times[i])
+        };
+        let late = within(&amplitudes, end - WINDOW, end);
         let late_amplitude = late.iter().sum::<f64>() / late.len().max(1) as f64;
         let (lag, swings) = own.lag(&true_one);
+        let off_axis = match is_planar(run) {
+            true => Vec::new(),
+            false => off_axis(made)?,
+        };
         Ok(Self {
             run: *run,
             range,
-            first: within(0.0, WINDOW),
-            last: within(end - WINDOW, end),
-            coincides_until: parted.map_or(end, |i| made.times[i]),
+            first: largest(&within(&differences, 0.0, WINDOW)),
+            last: largest(&within(&differences, end - WINDOW, end)),
+            coincides_until: first_above(&differences, COINCIDE * range),
             lag,
             swings,
             amplitude_change: late_amplitude / amplitude - 1.0,
-            energy_error: energy_error(made, scene, amplitude)?,
-            off_axis: if planar { 0.0 } else { off_axis(made)? },
+            energy_error: energy_error(made, scene(run)?)?,
+            off_axis: largest(&off_axis),
+            on_axis_until: first_above(&off_axis, COINCIDE),
             iterations: made.iterations,
         })
     }
 
-    /// The larger of the differences at the start and the end, as a share of the range.
+    /// Largest difference of the angle in the last 5 s, as a share of the range.
     pub fn last_share(&self) -> f64 {
         self.last / self.range
     }
 
-    /// As [`Self::last_share`], in the first 5 s.
+    /// The same in the first 5 s.
     pub fn first_share(&self) -> f64 {
         self.first / self.range
     }
 }
 
-fn energy_error(made: &Recording, scene: Planar, amplitude: f64) -> Result<f64, RunError> {
+/// Largest departure of the energy from its start, as a share of what the swing has above rest.
+fn energy_error(made: &Recording, scene: Planar) -> Result<f64, RunError> {
     let energies = made.values("energy")?;
-    let half = (amplitude / 2.0).sin();
-    let above_rest = 2.0 * scene.torque * half * half;
     let start = energies.first().copied().unwrap_or(0.0);
     let errors = energies.iter().map(|energy| (energy - start).abs());
-    Ok(errors.fold(0.0, f64::max) / above_rest)
+    Ok(errors.fold(0.0, f64::max) / (start + scene.torque))
 }
 
-fn off_axis(made: &Recording) -> Result<f64, RunError> {
+/// The amplitude of the swing through the state of a run at each of its times, [rad].
+pub fn amplitudes(run: &Wanted, made: &Recording) -> Result<Vec<f64>, RunError> {
+    let scene = scene(run)?;
+    let energies = made.values("energy")?;
+    Ok(energies
+        .iter()
+        .map(|energy| scene.amplitude(*energy))
+        .collect())
+}
+
+fn scene(run: &Wanted) -> Result<Planar, RunError> {
+    match is_planar(run) {
+        true => Planar::paper(),
+        false => Ok(Spatial::paper()?.swing),
+    }
+}
+
+fn is_planar(run: &Wanted) -> bool {
+    run.model.starts_with("planar")
+}
+
+/// The part of ω across the axis of the exact swing, as a share of the largest ω, at each time.
+fn off_axis(made: &Recording) -> Result<Vec<f64>, RunError> {
     let axis = Spatial::paper()?.axis;
     let [x, y, z] = vector(made, "ω")?;
-    let mut largest = (0.0_f64, 0.0_f64);
+    let (mut across, mut largest) = (Vec::new(), 0.0_f64);
     for ((x, y), z) in x.iter().zip(&y).zip(&z) {
-        let along = x * axis[0] + y * axis[1] + z * axis[2];
-        let size_squared = x * x + y * y + z * z;
-        let across = (size_squared - along * along).max(0.0).sqrt();
-        largest = (largest.0.max(across), largest.1.max(size_squared.sqrt()));
+        let omega = [*x, *y, *z];
+        let along: f64 = omega.iter().zip(&axis).map(|(o, a)| o * a).sum();
+        let rest = [0, 1, 2].map(|i| omega[i] - along * axis[i]);
+        let size = |v: [f64; 3]| v.iter().map(|c| c * c).sum::<f64>().sqrt();
+        across.push(size(rest));
+        largest = largest.max(size(omega));
     }
-    Ok(largest.0 / largest.1)
+    Ok(across.into_iter().map(|part| part / largest).collect())
 }
 
 fn vector(made: &Recording, name: &str) -> Result<[Vec<f64>; 3], RunError> {

@@ -5,6 +5,7 @@
 //! where it is written, so nothing in it can break the page.
 
 use super::html;
+use crate::notation::number;
 use crate::notation::rounded;
 use crate::plot;
 use std::fs;
@@ -96,7 +97,7 @@ pub enum Cell {
     Number {
         /// All of it.
         value: f64,
-        /// What the page shows.
+        /// How many the page shows; 0 for as many as it takes, up to six.
         digits: usize,
     },
     /// A count.
@@ -155,11 +156,17 @@ impl Cell {
         Self::Number { value, digits }
     }
 
+    /// A number that somebody chose, shown as it was typed.
+    pub fn given(value: f64) -> Self {
+        Self::Number { value, digits: 0 }
+    }
+
     /// What the page shows.
     pub fn shown(&self) -> String {
         match self {
             Self::Empty => String::new(),
             Self::Text(text) | Self::Code(text) => text.clone(),
+            Self::Number { value, digits: 0 } => number(*value),
             Self::Number { value, digits } => rounded(*value, *digits),
             Self::Count(count) => count.to_string(),
             Self::Judgement(judgement) => judgement.words().to_owned(),

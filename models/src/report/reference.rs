@@ -37,12 +37,10 @@ impl Planar {
         }
     }
 
-    /// The largest angle of a swing through this state: ½ J ω² + m g l (1 − cos θ) = 2 m g l sin²(A/2).
-    pub fn amplitude(&self, angle: f64, velocity: f64) -> f64 {
-        let kinetic = self.inertia * velocity * velocity / 2.0;
-        let half = (angle / 2.0).sin();
-        let share = kinetic / (2.0 * self.torque) + half * half;
-        2.0 * share.sqrt().min(1.0).asin()
+    /// The largest angle A of a swing with this energy: E + m g l = 2 m g l sin²(A/2).
+    pub fn amplitude(&self, energy: f64) -> f64 {
+        let share = (energy + self.torque) / (2.0 * self.torque);
+        2.0 * share.clamp(0.0, 1.0).sqrt().asin()
     }
 
     /// (θ, ω) at the start and after each of `steps` steps.

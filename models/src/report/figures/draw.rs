@@ -5,6 +5,7 @@ use super::Scene;
 use crate::notation::unit;
 use crate::plot::Curve;
 use crate::plot::Panel;
+use crate::report::measure;
 use crate::report::measure::SLACK;
 use crate::report::page::Cell;
 use crate::report::page::Data;
@@ -28,6 +29,7 @@ pub fn figure(scene: &Scene<'_>) -> Result<Figure, RunError> {
     let first = plan.quantities.first().copied().unwrap_or_default();
     match plan.extra {
         Extra::None => {}
+        Extra::Amplitude => panels.push(amplitudes(scene)?),
         Extra::Error => panels.push(errors(scene, first)?),
         Extra::Forms => panels.push(forms(scene, first)?),
     }
@@ -96,6 +98,24 @@ fn errors(scene: &Scene<'_>, quantity: &str) -> Result<Panel, RunError> {
     Ok(Panel {
         title: format!("{quantity} less exact {quantity}"),
         unit: unit(unit_of(quantity)),
+        curves,
+    })
+}
+
+/// Of the swing through each state, by its energy.
+fn amplitudes(scene: &Scene<'_>) -> Result<Panel, RunError> {
+    let mut curves = Vec::new();
+    for drawn in &scene.curves {
+        let amplitudes = measure::amplitudes(&drawn.line.run, drawn.made)?;
+        curves.push(curve(
+            drawn.line.label,
+            false,
+            points(scene, drawn.made, &amplitudes),
+        ));
+    }
+    Ok(Panel {
+        title: "amplitude of θ".to_owned(),
+        unit: unit(unit_of("θ")),
         curves,
     })
 }

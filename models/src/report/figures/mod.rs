@@ -56,6 +56,8 @@ enum Extra {
     None,
     /// The first quantity less its exact value.
     Error,
+    /// The amplitude of the swing through each state.
+    Amplitude,
     /// The first quantity of the second run less that of the first.
     Forms,
 }
@@ -177,24 +179,23 @@ fn table(scene: &Scene<'_>) -> Table {
     let mut head = vec![
         "curve",
         "h [s]",
-        "difference, first 5 s [rad]",
-        "difference, last 5 s [rad]",
-        "of the range [%]",
+        "off, first 5 s [rad]",
+        "off, last 5 s [rad]",
+        "off, last 5 s [% of range]",
         "coincides until [s]",
-        "lag at the end [s]",
+        "lag [s]",
         "amplitude [%]",
         "energy error",
     ];
     if !planar {
         head.push("ω off its axis");
     }
-    head.push("Newton iterations");
+    head.push("iterations");
     let mut data = Data::new(&head);
     for (curve, measure) in scene.curves.iter().zip(&scene.measures) {
         let mut row: Vec<Cell> = vec![
             curve.line.label.into(),
-            // The steps of the paper have one digit.
-            Cell::number(measure.run.step, 1),
+            Cell::given(measure.run.step),
             measure.first.into(),
             measure.last.into(),
             (100.0 * measure.last_share()).into(),
@@ -213,7 +214,7 @@ fn table(scene: &Scene<'_>) -> Table {
     Table {
         csv: format!("figure-{number:02}-numbers"),
         caption: format!(
-            "Figure {number} in numbers: each curve against the exact solution, over the whole run."
+            "Figure {number} in numbers: each curve against the exact solution over the whole run; iterations are Newton’s per step."
         ),
         data,
     }

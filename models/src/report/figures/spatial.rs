@@ -59,6 +59,11 @@ fn plan(
     }
 }
 
+/// The complete group by Eq. 82.
+pub fn group(step: f64) -> Wanted {
+    line("", "spatial_group", step).run
+}
+
 /// The figures.
 pub fn plans() -> Vec<Plan> {
     let recursive = || vec![line("Eq. 70, h = 0.05 s", "spatial_recursive", 0.05)];
@@ -89,14 +94,13 @@ pub fn plans() -> Vec<Plan> {
         &["Γ3.x", "Γ3.y", "Γ3.z"],
     );
     let angles = &["θx", "θy", "θz"];
-    let why_18 = "";
     vec![
         plan(
             18,
             "Angular velocity, recursive form",
             recursive(),
             VELOCITY,
-            why_18,
+            "",
             stable,
         ),
         plan(
