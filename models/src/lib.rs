@@ -17,6 +17,7 @@
 )]
 
 pub mod columns;
+pub mod exact;
 pub mod notation;
 pub mod plot;
 pub mod report;

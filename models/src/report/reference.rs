@@ -8,6 +8,8 @@
 use super::runs::Recording;
 use super::runs::RunError;
 use super::runs::Wanted;
+use crate::exact::PlanarPendulum;
+use crate::exact::PlanarState;
 
 /// A pendulum in the plane: J θ̈ = −m g l sin θ.
 #[derive(Clone, Copy)]
@@ -43,29 +45,16 @@ impl Planar {
         2.0 * share.clamp(0.0, 1.0).sqrt().asin()
     }
 
-    /// (θ, ω) at the start and after each of `steps` steps.
-    fn states(&self, step: f64, steps: u64) -> Vec<(f64, f64)> {
-        let rates = |(angle, velocity): (f64, f64)| -> (f64, f64) {
-            (velocity, -self.torque / self.inertia * angle.sin())
+    /// (θ, ω) at these times.
+    fn states(&self, times: &[f64]) -> Result<Vec<(f64, f64)>, RunError> {
+        // The equation has the torque m g l only.
+        let (m, l, g) = (self.torque, 1.0, 1.0);
+        let pendulum = PlanarPendulum::new(m, self.inertia, l, g, self.angle, self.velocity)?;
+        let state = |t: &f64| {
+            let PlanarState { theta, omega } = pendulum.at(*t);
+            (theta, omega)
         };
-        let parts = (step / 2e-4).ceil();
-        let h = step / parts;
-        let mut state = (self.angle, self.velocity);
-        let mut states = vec![state];
-        let ahead = |x: (f64, f64), r: (f64, f64), h: f64| (x.0 + h * r.0, x.1 + h * r.1);
-        for _ in 0..steps {
-            for _ in 0..parts as u64 {
-                let k1 = rates(state);
-                let k2 = rates(ahead(state, k1, h / 2.0));
-                let k3 = rates(ahead(state, k2, h / 2.0));
-                let k4 = rates(ahead(state, k3, h));
-                let sum = |a: f64, b: f64, c: f64, d: f64| (a + 2.0 * (b + c) + d) / 6.0;
-                let mean = (sum(k1.0, k2.0, k3.0, k4.0), sum(k1.1, k2.1, k3.1, k4.1));
-                state = ahead(state, mean, h);
-            }
-            states.push(state);
-        }
-        states
+        Ok(times.iter().map(state).collect())
     }
 }
 
@@ -132,11 +121,11 @@ pub fn reference(wanted: &Wanted) -> Result<Recording, RunError> {
         .map(|k| k as f64 * wanted.step)
         .collect();
     let (columns, rows): (&[&str], Vec<Vec<f64>>) = if wanted.model.starts_with("planar") {
-        let states = Planar::paper()?.states(wanted.step, wanted.steps());
+        let states = Planar::paper()?.states(&times)?;
         let row = |(angle, velocity): (f64, f64)| vec![velocity, angle];
         (&["ω", "θ"], states.into_iter().map(row).collect())
     } else {
-        (SPATIAL, spatial_rows(wanted)?)
+        (SPATIAL, spatial_rows(&times)?)
     };
     Ok(Recording {
         columns: columns.iter().map(ToString::to_string).collect(),
@@ -172,7 +161,7 @@ const SPATIAL: &[&str] = &[
     "θz",
 ];
 
-fn spatial_rows(wanted: &Wanted) -> Result<Vec<Vec<f64>>, RunError> {
+fn spatial_rows(times: &[f64]) -> Result<Vec<Vec<f64>>, RunError> {
     let scene = Spatial::paper()?;
     let mut turns = [0.0; 3];
     let row = |(angle, velocity): (f64, f64)| {
@@ -184,7 +173,7 @@ fn spatial_rows(wanted: &Wanted) -> Result<Vec<Vec<f64>>, RunError> {
         let parts = [omega, rows[0], rows[1], rows[2], vertical, vertical, turns];
         parts.concat()
     };
-    let states = scene.swing.states(wanted.step, wanted.steps());
+    let states = scene.swing.states(times)?;
     Ok(states.into_iter().map(row).collect())
 }
 

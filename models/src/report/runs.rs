@@ -4,6 +4,7 @@ use crate::UnknownModel;
 use crate::columns::header;
 use crate::columns::ordered_outputs;
 use crate::columns::total;
+use crate::exact::Invalid;
 use crate::find;
 use crate::values;
 use indicatif::ProgressBar;
@@ -60,6 +61,8 @@ pub enum RunError {
     Form(Wanted),
     /// The model has no continuous equations.
     Flow(Wanted),
+    /// There is no exact motion.
+    Exact(Invalid),
     /// The recording has no such column.
     Column(String),
 }
@@ -70,6 +73,7 @@ impl fmt::Display for RunError {
             Self::Model(unknown) => unknown.fmt(f),
             Self::Form(wanted) => write!(f, "`{}` has no {:?}", wanted.model, wanted.method),
             Self::Flow(wanted) => write!(f, "`{}` has no continuous equations", wanted.model),
+            Self::Exact(invalid) => invalid.fmt(f),
             Self::Column(name) => write!(f, "no quantity `{name}` was recorded"),
         }
     }
@@ -80,6 +84,12 @@ impl std::error::Error for RunError {}
 impl From<UnknownModel> for RunError {
     fn from(unknown: UnknownModel) -> Self {
         Self::Model(unknown)
+    }
+}
+
+impl From<Invalid> for RunError {
+    fn from(invalid: Invalid) -> Self {
+        Self::Exact(invalid)
     }
 }
 

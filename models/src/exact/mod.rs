@@ -1,0 +1,31 @@
+//! Exact motions to measure the models against.
+//!
+//! | motion | from | |
+//! |---|---|---|
+//! | planar pendulum | Jacobi's elliptic functions | [`PlanarPendulum`] |
+//! | free body, angular velocity | Jacobi's elliptic functions | [`FreeBody`] |
+//! | 3D pendulum | the model's own `flow`, extrapolated until it converges | [`SpatialPendulum`] |
+//!
+//! All three compute in double-double numbers ([`Double`], 31 digits) and round once, at the end.
+
+mod double;
+mod elliptic;
+mod error;
+mod extrapolation;
+mod free_body;
+mod planar;
+mod spatial;
+
+pub use double::Double;
+pub use double::NotDecimal;
+pub use elliptic::Elliptic;
+pub use elliptic::Jacobi;
+pub use error::Invalid;
+pub use free_body::FreeBody;
+pub use planar::PlanarPendulum;
+pub use planar::PlanarState;
+pub use planar::Regime;
+pub use spatial::Solution;
+pub use spatial::SpatialPendulum;
+pub use spatial::SpatialState;
+pub use spatial::rotation;
