@@ -16,7 +16,12 @@
     reason = "model files use Greek letters beside Latin ones on purpose"
 )]
 
+pub mod columns;
 pub mod exact;
+pub mod notation;
+pub mod plot;
+pub mod report;
+pub mod values;
 
 use ::residua::Catalogued;
 use ::std::fmt;

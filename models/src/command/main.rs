@@ -3,7 +3,6 @@
 
 mod assignment;
 mod check;
-mod columns;
 mod describe;
 mod diagnose;
 mod expand;
@@ -12,14 +11,17 @@ mod failure;
 mod list;
 mod name;
 mod new;
-mod notation;
+mod report;
 mod show;
 mod simulate;
 mod table;
-mod values;
 
 use clap::{Parser, Subcommand};
 use failure::Failure;
+use residua_models::columns;
+use residua_models::notation;
+use residua_models::plot;
+use residua_models::values;
 use std::process::ExitCode;
 
 /// Newton solvers generated from discrete equations of motion.
@@ -36,6 +38,7 @@ enum Verb {
     Simulate(simulate::Simulate),
     Check(check::Check),
     Expand(expand::Expand),
+    Report(report::Report),
     New(new::New),
 }
 
@@ -45,6 +48,7 @@ fn main() -> ExitCode {
         Verb::Simulate(simulate) => simulate.run(),
         Verb::Check(check) => check.run(),
         Verb::Expand(expand) => expand.run(),
+        Verb::Report(report) => report.run(),
         Verb::New(new) => new.run(),
     };
     outcome.map_or_else(Failure::report, |()| ExitCode::SUCCESS)

@@ -1,9 +1,7 @@
 //! `residua simulate`: a run, its rows, its picture, and a summary.
 
-mod axis;
 mod drift;
 mod plan;
-mod plot;
 mod recorder;
 mod rows;
 mod trace;
@@ -12,9 +10,10 @@ use crate::assignment::{Assignment, parse};
 use crate::columns::header;
 use crate::failure::Failure;
 use crate::notation;
+use crate::plot;
+use crate::plot::Figure;
 use clap::{Args, ValueEnum};
 use plan::{Plan, Scheme, plan};
-use plot::Figure;
 use recorder::Recorder;
 use residua::description::Description;
 use residua::erased::{Run, Sample};
@@ -200,6 +199,7 @@ fn draw(
         subtitle,
         time: format!("t{unit}"),
         panels: trace.into_panels(),
+        width: plot::WIDTH,
     };
     let text = plot::svg(&figure).map_err(Failure::Run)?;
     Ok(file.write_all(text.as_bytes())?)

@@ -3,9 +3,9 @@
 //! Rows are collected in bins of equal length. Of each bin and curve only the lowest and the highest
 //! point remain, so that oscillations keep their envelope however long the run is.
 
-use super::plot::{Curve, MAX_CURVES, Panel};
 use crate::columns::{ordered_outputs, size};
 use crate::notation::{components, unit};
+use crate::plot::{Curve, MAX_CURVES, Panel};
 use residua::description::{Description, Variable};
 use std::ops::Range;
 
@@ -114,7 +114,11 @@ impl Trace {
     /// What has been taken in.
     pub fn into_panels(mut self) -> Vec<Panel> {
         self.close_bin();
-        let curve = |Column { label, points, .. }| Curve { label, points };
+        let curve = |Column { label, points, .. }| Curve {
+            label,
+            reference: false,
+            points,
+        };
         let panel = |filling: Filling| Panel {
             title: filling.title,
             unit: filling.unit,

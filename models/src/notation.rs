@@ -115,5 +115,24 @@ pub fn number(value: f64) -> String {
     }
 }
 
+/// A value for reading, to some significant digits: `0.0102`, `1.2·10⁻¹³`, `−25`.
+pub fn rounded(value: f64, digits: usize) -> String {
+    if !value.is_finite() {
+        return "–".to_owned();
+    }
+    let precision = digits.saturating_sub(1);
+    let scientific = format!("{value:.precision$e}");
+    let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    let text = match exponent {
+        -4..=5 => {
+            let decimals = usize::try_from(precision as i32 - exponent).unwrap_or(0);
+            format!("{value:.decimals$}")
+        }
+        _ => format!("{mantissa}·{}", power_of_ten(exponent)),
+    };
+    text.replace('-', "−")
+}
+
 #[cfg(test)]
 mod tests;

@@ -2,14 +2,16 @@
 //!
 //! Comes in: a [`Figure`] of curves that are already thinned out. Goes out: the text of an SVG file.
 
-use super::axis::{common_exponent, extent, padded, short};
+mod axis;
+
 use crate::notation::power_of_ten;
+use axis::{common_exponent, extent, padded, short};
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 /// A picture.
 pub struct Figure {
-    /// Large, above everything.
+    /// Large, above everything; empty for a picture without a header.
     pub title: String,
     /// Small, below the title.
     pub subtitle: String,
@@ -17,6 +19,8 @@ pub struct Figure {
     pub time: String,
     /// From top to bottom.
     pub panels: Vec<Panel>,
+    /// Width of the picture, [px].
+    pub width: i32,
 }
 
 /// Curves of one unit.
@@ -31,16 +35,18 @@ pub struct Panel {
 
 /// One component over time.
 pub struct Curve {
-    /// Its name in the legend.
+    /// Its name in the legend; without one it is left out there.
     pub label: String,
+    /// What the others are compared with: drawn as a pale band below them.
+    pub reference: bool,
     /// (t, value), all finite.
     pub points: Vec<(f64, f64)>,
 }
 
 /// Backend units per pixel: plotters rounds coordinates to integers, which would show as steps.
 const SCALE: i32 = 10;
-/// Width of the picture, [px].
-const WIDTH: i32 = 960;
+/// Width of a picture that stands by itself, [px].
+pub const WIDTH: i32 = 960;
 /// Height of the title, [px].
 const HEADER: i32 = 62;
 /// Height of a panel, [px].
@@ -53,13 +59,19 @@ const AXIS: i32 = 46;
 const LEFT: i32 = 64;
 /// Least and most space right of the curves for the legend, [px].
 const RIGHT: (i32, i32) = (104, 260);
-/// Space that the line before a name in the legend takes, with its margins, [px].
-const SWATCH: i32 = 42;
+/// Space right of the curves where the legend is above them: half of the last number of the axis, [px].
+const EDGE: i32 = 16;
+/// Length of the line before a name in the legend, [px].
+const SWATCH_LINE: i32 = 22;
+/// Space that it takes with its margins, [px].
+const SWATCH: i32 = SWATCH_LINE + 26;
 /// Width of a letter in the legend, on the safe side, [px].
 const LETTER: i32 = 7;
 
 /// Width of a curve, [backend units].
 const STROKE: u32 = 13;
+/// Width of the band of a reference, [backend units].
+const BAND: u32 = 44;
 /// Of a curve, so that those below show through where long runs leave no gaps.
 const OPACITY: f64 = 0.85;
 
@@ -71,6 +83,7 @@ const INK: RGBColor = RGBColor(38, 43, 49);
 const MUTED: RGBColor = RGBColor(108, 115, 123);
 const GRID: RGBColor = RGBColor(229, 229, 224);
 const AXES: RGBColor = RGBColor(158, 164, 170);
+const BANDS: RGBColor = RGBColor(201, 205, 210);
 
 /// Colours of the curves of a panel, told apart by hue and lightness.
 const PALETTE: [RGBColor; 9] = [
@@ -85,13 +98,53 @@ const PALETTE: [RGBColor; 9] = [
     RGBColor(110, 118, 128),
 ];
 
+/// Dashes of curves that may lie on each other, [backend units].
+const DASHES: [&str; 4] = ["none", "70 50", "20 35", "110 35 20 35"];
+
 /// Curves that a panel has room for.
 pub const MAX_CURVES: usize = PALETTE.len();
 
+/// Style rules that give the colours of pictures inside an element of class `plot` to the variables
+/// `--ink`, `--muted`, `--grid`, `--axis`, `--band` and `--curve-1`, `--curve-2`, … of a page, so that they
+/// follow its light or dark scheme.
+pub fn recolouring() -> String {
+    let named = [
+        (INK, "ink"),
+        (MUTED, "muted"),
+        (GRID, "grid"),
+        (AXES, "axis"),
+        (BANDS, "band"),
+    ];
+    let fixed = named
+        .into_iter()
+        .map(|(color, name)| (color, name.to_owned()));
+    let curves = PALETTE
+        .into_iter()
+        .zip(1..)
+        .map(|(color, i)| (color, format!("curve-{i}")));
+    let mut rules = format!(".plot [fill=\"{}\"]{{fill:none}}\n", hex(PAPER));
+    for (color, name) in fixed.chain(curves) {
+        let hex = hex(color);
+        rules += &format!(".plot [fill=\"{hex}\"]{{fill:var(--{name})}}\n");
+        rules += &format!(".plot [stroke=\"{hex}\"]{{stroke:var(--{name})}}\n");
+    }
+    for (color, dashes) in PALETTE.into_iter().zip(DASHES) {
+        let hex = hex(color);
+        rules += &format!(".overlay polyline[stroke=\"{hex}\"]{{stroke-dasharray:{dashes}}}\n");
+    }
+    rules
+}
+
+/// As plotters writes it.
+fn hex(RGBColor(red, green, blue): RGBColor) -> String {
+    format!("#{red:02X}{green:02X}{blue:02X}")
+}
+
 /// The picture as the text of an SVG file.
 pub fn svg(figure: &Figure) -> Result<String, String> {
-    let height = HEADER + PANEL * figure.panels.len() as i32 + AXIS;
-    let size = ((WIDTH * SCALE) as u32, (height * SCALE) as u32);
+    let width = figure.width;
+    let height = header_height(figure) + PANEL * figure.panels.len() as i32 + AXIS;
+    let size = ((width * SCALE) as u32, (height * SCALE) as u32);
     let mut text = String::new();
     {
         let root = SVGBackend::with_string(&mut text, size).into_drawing_area();
@@ -99,30 +152,52 @@ pub fn svg(figure: &Figure) -> Result<String, String> {
         root.present().map_err(|error| error.to_string())?;
     }
     let drawn = format!(r#"width="{}" height="{}""#, size.0, size.1);
-    let shown = format!(r#"width="{WIDTH}" height="{height}""#);
+    let shown = format!(r#"width="{width}" height="{height}""#);
     Ok(text.replacen(&drawn, &shown, 1))
+}
+
+fn header_height(figure: &Figure) -> i32 {
+    if figure.title.is_empty() { 0 } else { HEADER }
 }
 
 /// What all panels share.
 struct Frame {
+    /// Of the picture, [px].
+    width: i32,
     start: f64,
     end: f64,
     /// Space right of the curves, [px].
     right: i32,
+    /// Where the names of the curves are.
+    legend: Legend,
+}
+
+#[derive(Clone, Copy)]
+enum Legend {
+    Right,
+    Above,
 }
 
 impl Frame {
-    fn around(panels: &[Panel]) -> Self {
+    fn around(figure: &Figure) -> Self {
+        let panels = &figure.panels;
         let (start, end) = extent(panels.iter().flat_map(|panel| &panel.curves), |p| p.0);
         let named = panels.iter().filter(|panel| panel.curves.len() > 1);
         let lengths = named
             .flat_map(|panel| &panel.curves)
             .map(|curve| curve.label.chars().count() as i32);
         let (least, most) = RIGHT;
+        let beside = (SWATCH + LETTER * lengths.max().unwrap_or(0)).clamp(least, most);
+        let (legend, right) = match figure.title.is_empty() {
+            true => (Legend::Above, EDGE),
+            false => (Legend::Right, beside),
+        };
         Self {
+            width: figure.width,
             start,
             end: if end > start { end } else { start + 1.0 },
-            right: (SWATCH + LETTER * lengths.max().unwrap_or(0)).clamp(least, most),
+            right,
+            legend,
         }
     }
 }
@@ -132,10 +207,13 @@ type Drawn<'a> = Result<(), DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBacke
 
 fn draw<'a>(figure: &Figure, root: &Area<'a>) -> Drawn<'a> {
     root.fill(&PAPER)?;
-    let (header, body) = root.split_vertically(HEADER * SCALE);
-    write(&header, &figure.title, (22, 16), bold(17.0, INK))?;
-    write(&header, &figure.subtitle, (22, 40), font(12.0, MUTED))?;
-    let frame = Frame::around(&figure.panels);
+    let header_height = header_height(figure);
+    let (header, body) = root.split_vertically(header_height * SCALE);
+    if header_height > 0 {
+        write(&header, &figure.title, (22, 16), bold(17.0, INK))?;
+        write(&header, &figure.subtitle, (22, 40), font(12.0, MUTED))?;
+    }
+    let frame = Frame::around(figure);
     let mut rest = body;
     for (i, panel) in figure.panels.iter().enumerate() {
         let last = i + 1 == figure.panels.len();
@@ -178,12 +256,21 @@ fn draw_panel<'a>(panel: &Panel, frame: &Frame, time: Option<&str>, area: &Area<
         .y_label_formatter(&|value| short(*value))
         .set_all_tick_mark_size(4 * SCALE)
         .draw()?;
-    for (curve, color) in panel.curves.iter().zip(PALETTE) {
-        let style = color.mix(OPACITY).stroke_width(STROKE);
+    for (curve, style) in styled(panel) {
         let points = curve.points.iter().map(|&(t, value)| (t, value / scale));
         chart.draw_series(LineSeries::new(points, style))?;
     }
     Ok(())
+}
+
+/// The curves of a panel, references first, each with its line.
+fn styled(panel: &Panel) -> impl Iterator<Item = (&Curve, ShapeStyle)> {
+    let (references, others): (Vec<_>, Vec<_>) =
+        panel.curves.iter().partition(|curve| curve.reference);
+    let band = |curve| (curve, BANDS.stroke_width(BAND));
+    let line = |(curve, color): (_, RGBColor)| (curve, color.mix(OPACITY).stroke_width(STROKE));
+    let lines = others.into_iter().zip(PALETTE).map(line);
+    references.into_iter().map(band).chain(lines)
 }
 
 /// The title of a panel on its upper edge.
@@ -198,28 +285,47 @@ fn draw_caption<'a>(panel: &Panel, exponent: i32, area: &Area<'a>) -> Drawn<'a> 
     write(area, caption.trim_end(), (LEFT, 8), bold(12.5, INK))
 }
 
-/// The names of the curves, if there is more than one, on the right of a panel.
+/// The names of the curves, if there is more than one: on the right of a panel, or on its upper edge in a
+/// picture without a header.
 fn draw_legend<'a>(panel: &Panel, frame: &Frame, area: &Area<'a>) -> Drawn<'a> {
     if panel.curves.len() < 2 {
         return Ok(());
     }
-    let left = WIDTH - frame.right + 14;
+    let named: Vec<_> = styled(panel)
+        .filter(|(curve, _)| !curve.label.is_empty())
+        .collect();
     let pitch = if panel.curves.len() > 6 { 13 } else { 17 };
-    for (i, (curve, color)) in panel.curves.iter().zip(PALETTE).enumerate() {
-        let y = CAPTION + 8 + pitch * i as i32;
-        area.draw(&PathElement::new(
-            [(left * SCALE, y * SCALE), ((left + 16) * SCALE, y * SCALE)],
-            color.stroke_width(2 * SCALE as u32),
-        ))?;
-        let middle = Pos::new(HPos::Left, VPos::Center);
-        write(
-            area,
-            &curve.label,
-            (left + 22, y),
-            font(12.0, INK).pos(middle),
-        )?;
+    let width = |curve: &Curve| SWATCH + LETTER * curve.label.chars().count() as i32;
+    let total: i32 = named.iter().map(|(curve, _)| width(curve)).sum();
+    let mut place = match frame.legend {
+        Legend::Right => (frame.width - frame.right + 14, CAPTION + 8),
+        Legend::Above => (frame.width - frame.right - total, 14),
+    };
+    for (curve, style) in named {
+        draw_name(curve, style, place, area)?;
+        match frame.legend {
+            Legend::Right => place.1 += pitch,
+            Legend::Above => place.0 += width(curve),
+        }
     }
     Ok(())
+}
+
+fn draw_name<'a>(
+    curve: &Curve,
+    style: ShapeStyle,
+    (left, y): (i32, i32),
+    area: &Area<'a>,
+) -> Drawn<'a> {
+    let right = left + SWATCH_LINE;
+    let stroke = style.stroke_width.max(2 * SCALE as u32);
+    area.draw(&PathElement::new(
+        [(left * SCALE, y * SCALE), (right * SCALE, y * SCALE)],
+        style.stroke_width(stroke),
+    ))?;
+    let middle = Pos::new(HPos::Left, VPos::Center);
+    let text = font(12.0, INK).pos(middle);
+    write(area, &curve.label, (right + 6, y), text)
 }
 
 fn write<'a>(area: &Area<'a>, text: &str, (x, y): (i32, i32), style: TextStyle<'_>) -> Drawn<'a> {

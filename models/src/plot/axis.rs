@@ -1,6 +1,6 @@
 //! Ranges of axes and the numbers on them.
 
-use super::plot::Curve;
+use super::Curve;
 
 /// Smallest and largest coordinate of all curves, (0, 1) if there is none.
 pub fn extent<'c>(
