@@ -5,10 +5,12 @@
 
 mod figures;
 mod html;
+mod maps;
 mod measure;
 pub mod page;
 mod reference;
 mod runs;
+mod schemes;
 
 pub use runs::RunError;
 
@@ -23,6 +25,10 @@ pub fn report(progress: &ProgressBar) -> Result<Page, RunError> {
                Dynamics Model under Iteration, Appl. Sci. 2022, 12, 4910, computed again by Residua from \
                the paper's equations and compared with exact solutions."
             .to_owned(),
-        sections: vec![figures::section(progress)?],
+        sections: vec![
+            figures::section(progress)?,
+            schemes::section(progress)?,
+            maps::section(progress),
+        ],
     })
 }
