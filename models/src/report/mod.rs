@@ -3,6 +3,7 @@
 //! A section is a function from nothing to a [`page::Section`]; [`page::Page::write`] writes them to one
 //! HTML file with CSV files beside it.
 
+mod conclusions;
 mod figures;
 mod html;
 mod maps;
@@ -29,6 +30,7 @@ pub fn report(progress: &ProgressBar) -> Result<Page, RunError> {
             figures::section(progress)?,
             schemes::section(progress)?,
             maps::section(progress),
+            conclusions::section(progress)?,
         ],
     })
 }
