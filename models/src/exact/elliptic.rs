@@ -55,7 +55,10 @@ impl Elliptic {
         let (mut k, mut complement) = (modulus, complement);
         let mut levels = Vec::new();
         if complement.to_f64() <= 0.0 {
-            return Self { levels, stretch: None };
+            return Self {
+                levels,
+                stretch: None,
+            };
         }
         let mut stretch = Double::ONE;
         while k.to_f64() > NEGLIGIBLE {

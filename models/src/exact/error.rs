@@ -41,12 +41,21 @@ pub enum Invalid {
 impl fmt::Display for Invalid {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NotFinite { name, value } => write!(f, "{name} is {value}, expected a finite number"),
-            Self::NotPositive { name, value } => write!(f, "{name} is {value}, expected a positive number"),
+            Self::NotFinite { name, value } => {
+                write!(f, "{name} is {value}, expected a finite number")
+            }
+            Self::NotPositive { name, value } => {
+                write!(f, "{name} is {value}, expected a positive number")
+            }
             Self::NotSymmetric => f.write_str("the inertia is not symmetric"),
             Self::NotDecimal { name } => write!(f, "{name} is not a decimal number"),
-            Self::TimesNotAscending { value } => write!(f, "the time {value} s comes before the one it follows"),
-            Self::NotConverged { error } => write!(f, "two resolutions of the motion still differ by {error:.1e}"),
+            Self::TimesNotAscending { value } => {
+                write!(f, "the time {value} s comes before the one it follows")
+            }
+            Self::NotConverged { error } => write!(
+                f,
+                "two resolutions of the motion still differ by {error:.1e}"
+            ),
         }
     }
 }

@@ -16,7 +16,7 @@ const MOST_SUBSTEPS: u32 = 28;
 
 /// Change from one column to the next, relative to the largest component, at which the last one is taken. Its own
 /// error is smaller by orders of magnitude; lower costs columns, 1e-30 is out of reach.
-const AGREED: f64 = 1e-24;
+const AGREED: f64 = 1e-20;
 
 /// The states at `times` of dy/dt = f(y), y(0) = `start`, in steps no longer than `longest`, and the largest
 /// difference from a run with half as many steps again, whose states these are.
@@ -35,7 +35,11 @@ pub(crate) fn run<const N: usize>(
         fine = steps(&f, fine, interval, n + (n / 2.0).ceil());
         // `max` would pass over NaN.
         let difference = distance(&coarse, &fine);
-        error = if difference <= error { error } else { difference };
+        error = if difference <= error {
+            error
+        } else {
+            difference
+        };
         states.push(fine);
         t = time;
     }
@@ -56,7 +60,11 @@ fn steps<const N: usize>(
 }
 
 /// The state a step `h` after `start`.
-fn step<const N: usize>(f: &impl Fn(&[Double; N]) -> [Double; N], start: &[Double; N], h: Double) -> [Double; N] {
+fn step<const N: usize>(
+    f: &impl Fn(&[Double; N]) -> [Double; N],
+    start: &[Double; N],
+    h: Double,
+) -> [Double; N] {
     let slope = f(start);
     let mut row: Vec<[Double; N]> = Vec::new();
     let mut best = *start;
@@ -109,7 +117,10 @@ fn difference<const N: usize>(a: &[Double; N], b: &[Double; N]) -> [Double; N] {
 /// The largest component; NaN if there is one.
 fn size<const N: usize>(y: &[Double; N]) -> f64 {
     let sizes = y.iter().map(|y| y.to_f64().abs());
-    sizes.fold(0.0, |largest, size| if size <= largest { largest } else { size })
+    sizes.fold(
+        0.0,
+        |largest, size| if size <= largest { largest } else { size },
+    )
 }
 
 fn distance<const N: usize>(a: &[Double; N], b: &[Double; N]) -> f64 {

@@ -100,7 +100,11 @@ impl FreeBody {
     pub fn at(&self, t: f64) -> [f64; 3] {
         let factors = match &self.motion {
             Motion::Steady => [Double::ONE; 3],
-            Motion::Elliptic { elliptic, rate, start } => {
+            Motion::Elliptic {
+                elliptic,
+                rate,
+                start,
+            } => {
                 let jacobi = elliptic.at(*rate * t + *start);
                 [jacobi.cn, jacobi.sn, jacobi.dn]
             }

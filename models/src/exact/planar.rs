@@ -72,7 +72,14 @@ impl PlanarPendulum {
     }
 
     /// The same with each number a decimal, so that 9.81 is 981/100, which no `f64` is.
-    pub fn from_decimals(m: &str, j: &str, l: &str, g: &str, theta0: &str, omega0: &str) -> Result<Self, Invalid> {
+    pub fn from_decimals(
+        m: &str,
+        j: &str,
+        l: &str,
+        g: &str,
+        theta0: &str,
+        omega0: &str,
+    ) -> Result<Self, Invalid> {
         let read = |name, text: &str| text.parse().map_err(|_| Invalid::NotDecimal { name });
         Self::from_doubles([
             read("m", m)?,
@@ -94,8 +101,12 @@ impl PlanarPendulum {
         let weight = m * g * l;
         let frequency = (weight / j).sqrt();
         positive("m g l/j", frequency.to_f64())?;
-        let n_turns = (theta0 / (Double::PI * 2.0)).to_f64().round();
-        let turns = Double::PI * 2.0 * n_turns;
+        let whole_turns = |n: f64| Double::PI * 2.0 * n;
+        let mut turns = whole_turns((theta0 / whole_turns(1.0)).to_f64().round());
+        if (theta0 - turns).abs() > Double::PI {
+            // Half a turn, rounded up: counted down, θ₀ near π stays as it is.
+            turns = whole_turns((theta0 / whole_turns(1.0)).to_f64().trunc());
+        }
         let (sin, cos) = ((theta0 - turns) / 2.0).sin_cos();
         let sense = if omega0.to_f64() < 0.0 { -1.0 } else { 1.0 };
         let w = omega0 / (frequency * 2.0);
@@ -107,7 +118,11 @@ impl PlanarPendulum {
         let regime = if modulus == Double::ZERO {
             Regime::Hanging
         } else if excess.abs().to_f64() > ON_THE_SEPARATRIX {
-            if excess.to_f64() > 0.0 { Regime::Swinging } else { Regime::Rotating }
+            if excess.to_f64() > 0.0 {
+                Regime::Swinging
+            } else {
+                Regime::Rotating
+            }
         } else if w.abs().to_f64() > ON_THE_SEPARATRIX {
             Regime::Separatrix
         } else {
@@ -130,9 +145,11 @@ impl PlanarPendulum {
                 let start = elliptic.argument(sin * sense, cos);
                 (elliptic, frequency, start)
             }
-            Regime::Hanging | Regime::Upright => {
-                (Elliptic::new(Double::ZERO, Double::ONE), frequency, Double::ZERO)
-            }
+            Regime::Hanging | Regime::Upright => (
+                Elliptic::new(Double::ZERO, Double::ONE),
+                frequency,
+                Double::ZERO,
+            ),
         };
         Ok(Self {
             regime,

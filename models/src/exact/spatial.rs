@@ -15,7 +15,7 @@ use crate::spatial_group::Model;
 use crate::spatial_group::Parameters;
 use crate::spatial_group::State;
 
-/// Angle turned in the longest step, rad. Longer steps take more columns each, and from 2 on do not converge.
+/// Angle turned in the longest step, rad. Shorter steps cost more, and so do longer ones, which need more columns.
 const LONGEST_TURN: f64 = 1.5;
 
 /// Difference between two resolutions that is as good as none after the final rounding.
@@ -80,7 +80,10 @@ impl<T: Into<Double> + Copy> SpatialPendulum<T> {
     ) -> Result<Solution, Invalid> {
         let parameters = self.parameters()?;
         let mut start = [Double::ZERO; 12];
-        for (to, from) in start.iter_mut().zip(omega0.iter().chain(attitude0.as_flattened())) {
+        for (to, from) in start
+            .iter_mut()
+            .zip(omega0.iter().chain(attitude0.as_flattened()))
+        {
             *to = (*from).into();
             finite("omega0 or attitude0", to.to_f64())?;
         }
@@ -110,7 +113,10 @@ impl<T: Into<Double> + Copy> SpatialPendulum<T> {
     pub fn energy(&self, state: &SpatialState) -> f64 {
         let omega = state.omega.map(Double::from);
         let weight = self.m.into() * self.g.into();
-        let height = dot(self.rho.map(Into::into), state.attitude[2].map(Double::from));
+        let height = dot(
+            self.rho.map(Into::into),
+            state.attitude[2].map(Double::from),
+        );
         (dot(omega, self.momentum(state)) * 0.5 - weight * height).to_f64()
     }
 
@@ -140,7 +146,10 @@ impl<T: Into<Double> + Copy> SpatialPendulum<T> {
         finite("g", self.g.into().to_f64())?;
         let mut array = [Double::ZERO; 14];
         let numbers = [self.m].into_iter().chain(self.j.into_iter().flatten());
-        for (to, from) in array.iter_mut().zip(numbers.chain(self.rho).chain([self.g])) {
+        for (to, from) in array
+            .iter_mut()
+            .zip(numbers.chain(self.rho).chain([self.g]))
+        {
             *to = from.into();
             finite("j or rho", to.to_f64())?;
         }
@@ -163,14 +172,18 @@ impl<T: Into<Double> + Copy> SpatialPendulum<T> {
     fn fastest(&self, start: &[Double; 12]) -> f64 {
         let j = self.j.map(|row| row.map(|j| j.into().to_f64()));
         let omega = [start[0], start[1], start[2]].map(Double::to_f64);
-        let minors = j[0][0] * j[1][1] - j[0][1].powi(2) + j[0][0] * j[2][2] - j[0][2].powi(2) + j[1][1] * j[2][2]
+        let minors = j[0][0] * j[1][1] - j[0][1].powi(2) + j[0][0] * j[2][2] - j[0][2].powi(2)
+            + j[1][1] * j[2][2]
             - j[1][2].powi(2);
         let j = self.j.map(|row| row.map(Into::into));
         let least = determinant(&j).to_f64() / minors;
         let rho = self.rho.map(|rho| rho.into().to_f64());
         let length = rho.iter().map(|rho| rho * rho).sum::<f64>().sqrt();
         let potential = (self.m.into() * self.g.into()).to_f64().abs() * length;
-        let kinetic = 0.5 * (0..3).map(|i| omega[i] * dot(j[i], omega.map(Double::from)).to_f64()).sum::<f64>();
+        let kinetic = 0.5
+            * (0..3)
+                .map(|i| omega[i] * dot(j[i], omega.map(Double::from)).to_f64())
+                .sum::<f64>();
         (2.0 * (kinetic + 2.0 * potential) / least).sqrt() + (potential / least).sqrt()
     }
 }
@@ -192,7 +205,8 @@ fn dot(a: [Double; 3], b: [Double; 3]) -> Double {
 }
 
 fn determinant(a: &[[Double; 3]; 3]) -> Double {
-    a[0][0] * (a[1][1] * a[2][2] - a[1][2] * a[2][1]) - a[0][1] * (a[1][0] * a[2][2] - a[1][2] * a[2][0])
+    a[0][0] * (a[1][1] * a[2][2] - a[1][2] * a[2][1])
+        - a[0][1] * (a[1][0] * a[2][2] - a[1][2] * a[2][0])
         + a[0][2] * (a[1][0] * a[2][1] - a[1][1] * a[2][0])
 }
 

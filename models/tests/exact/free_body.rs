@@ -12,11 +12,19 @@ static CASE: &str = include_str!("data/free_body.json");
 #[test]
 fn angular_velocity_near_the_middle_axis_is_the_nearest_to_the_reference() {
     let case: Value = serde_json::from_str(CASE).unwrap();
-    let three = |value: &Value| -> [Double; 3] { core::array::from_fn(|i| text(&value[i]).parse().unwrap()) };
+    let three = |value: &Value| -> [Double; 3] {
+        core::array::from_fn(|i| text(&value[i]).parse().unwrap())
+    };
     let body = FreeBody::new(three(&case["j"]), three(&case["omega0"])).unwrap();
     for sample in list(&case["samples"]) {
-        let expected: [f64; 3] = core::array::from_fn(|i| text(&sample["omega"][i]).parse().unwrap());
-        assert_eq!(body.at(text(&sample["t"]).parse().unwrap()), expected, "t = {}", sample["t"]);
+        let expected: [f64; 3] =
+            core::array::from_fn(|i| text(&sample["omega"][i]).parse().unwrap());
+        assert_eq!(
+            body.at(text(&sample["t"]).parse().unwrap()),
+            expected,
+            "t = {}",
+            sample["t"]
+        );
     }
     let period: f64 = text(&case["period"]).parse().unwrap();
     assert_eq!(body.period(), Some(period));
@@ -24,7 +32,12 @@ fn angular_velocity_near_the_middle_axis_is_the_nearest_to_the_reference() {
 
 #[test]
 fn steady_turns_stay() {
-    for omega0 in [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, -2.0, 0.0], [0.0, 0.0, 3.0]] {
+    for omega0 in [
+        [0.0, 0.0, 0.0],
+        [2.0, 0.0, 0.0],
+        [0.0, -2.0, 0.0],
+        [0.0, 0.0, 3.0],
+    ] {
         let body = FreeBody::new([1.0, 2.0, 3.0], omega0).unwrap();
         assert_eq!(body.at(17.0), omega0);
         assert_eq!(body.period(), None);

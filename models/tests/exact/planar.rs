@@ -27,7 +27,10 @@ fn from_decimals(numbers: &[&str]) -> PlanarPendulum {
 }
 
 fn from_floats(numbers: &[&str]) -> PlanarPendulum {
-    let n: Vec<f64> = numbers.iter().map(|number| number.parse().unwrap()).collect();
+    let n: Vec<f64> = numbers
+        .iter()
+        .map(|number| number.parse().unwrap())
+        .collect();
     PlanarPendulum::new(n[0], n[1], n[2], n[3], n[4], n[5]).unwrap()
 }
 
@@ -160,7 +163,10 @@ fn energy_is_constant_to_rounding() {
             // Each state is off by half a unit in its last place, the formula by as much per operation.
             let scale = j * state.omega.powi(2) + m * g * l * (1.0 + state.theta.abs());
             let difference = (energy - pendulum.energy()).abs();
-            assert!(difference <= 3.0 * f64::EPSILON * scale, "{theta0}, {omega0}, t = {t}: {difference:e}");
+            assert!(
+                difference <= 3.0 * f64::EPSILON * scale,
+                "{theta0}, {omega0}, t = {t}: {difference:e}"
+            );
         }
     }
 }
@@ -179,7 +185,10 @@ fn the_motion_repeats_after_a_period() {
         let acceleration = PAPER[0] * PAPER[2] * PAPER[3] / PAPER[1];
         let late = period * f64::EPSILON / 2.0;
         let theta_error = (later.theta - theta0 - turn).abs();
-        assert!(theta_error <= late * omega0.abs() * 2.0 + 2.0 * f64::EPSILON * (theta0.abs() + turn.abs()));
+        assert!(
+            theta_error
+                <= late * omega0.abs() * 2.0 + 2.0 * f64::EPSILON * (theta0.abs() + turn.abs())
+        );
         let omega_error = (later.omega - omega0).abs();
         assert!(omega_error <= late * acceleration * 2.0 + f64::EPSILON * omega0.abs());
         // The peak of a swing is met a quarter of a period after the lowest point.
@@ -227,9 +236,18 @@ fn the_motion_solves_the_equation() {
 fn bad_data_are_named() {
     let [m, j, l, g] = PAPER;
     let not_positive = PlanarPendulum::new(0.0, j, l, g, 0.0, 1.0).unwrap_err();
-    assert_eq!(not_positive, Invalid::NotPositive { name: "m", value: 0.0 });
+    assert_eq!(
+        not_positive,
+        Invalid::NotPositive {
+            name: "m",
+            value: 0.0
+        }
+    );
     let not_finite = PlanarPendulum::new(m, j, l, g, 0.0, f64::INFINITY).unwrap_err();
-    assert_eq!(not_finite.to_string(), "omega0 is inf, expected a finite number");
+    assert_eq!(
+        not_finite.to_string(),
+        "omega0 is inf, expected a finite number"
+    );
     let not_decimal = PlanarPendulum::from_decimals("2", "x", "1", "1", "0", "0").unwrap_err();
     assert_eq!(not_decimal, Invalid::NotDecimal { name: "j" });
 }

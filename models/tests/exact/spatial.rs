@@ -33,18 +33,26 @@ fn start() -> [[Double; 3]; 3] {
 /// lie half-way. No tolerance on top: the reference claims 1e-18.
 fn assert_samples(pendulum: &SpatialPendulum<Double>, samples: &Value) {
     let omega0 = decimals(&list(samples)[0]["omega"]);
-    let times: Vec<f64> = list(samples).iter().map(|s| decimal(&s["t"]).to_f64()).collect();
+    let times: Vec<f64> = list(samples)
+        .iter()
+        .map(|s| decimal(&s["t"]).to_f64())
+        .collect();
     let solution = pendulum.solve(omega0, start(), &times).unwrap();
     assert!(solution.error <= 1e-18, "{:e}", solution.error);
     for (state, sample) in solution.states.iter().zip(list(samples)) {
-        let rows: [Vec<Double>; 3] = core::array::from_fn(|i| list(&sample["R"][i]).iter().map(decimal).collect());
+        let rows: [Vec<Double>; 3] =
+            core::array::from_fn(|i| list(&sample["R"][i]).iter().map(decimal).collect());
         let expected = rows.concat();
         let expected = decimals::<3>(&sample["omega"]).into_iter().chain(expected);
         let found = state.omega.iter().chain(state.attitude.as_flattened());
         for (found, expected) in found.zip(expected) {
             let error = (Double::from(*found) - expected).to_f64().abs();
             let half_a_unit = f64::EPSILON / 2.0 * expected.to_f64().abs();
-            assert!(error <= half_a_unit + solution.error, "t = {}: {error:e}", sample["t"]);
+            assert!(
+                error <= half_a_unit + solution.error,
+                "t = {}: {error:e}",
+                sample["t"]
+            );
         }
     }
 }
@@ -90,7 +98,10 @@ fn rounded(scale: f64) -> f64 {
 
 fn largest_change(states: &[SpatialState], of: impl Fn(&SpatialState) -> f64) -> f64 {
     let first = of(&states[0]);
-    states.iter().map(|state| (of(state) - first).abs()).fold(0.0, f64::max)
+    states
+        .iter()
+        .map(|state| (of(state) - first).abs())
+        .fold(0.0, f64::max)
 }
 
 #[test]
@@ -102,7 +113,9 @@ fn a_top_keeps_energy_vertical_momentum_and_spin() {
         rho: [0.0, 0.0, -0.3],
     };
     let attitude = start().map(|row| row.map(Double::to_f64));
-    let solution = top.solve([0.5, -1.0, 25.0], attitude, &[0.0, 1.0, 5.0, 20.0]).unwrap();
+    let solution = top
+        .solve([0.5, -1.0, 25.0], attitude, &[0.0, 1.0, 5.0, 20.0])
+        .unwrap();
     let states = &solution.states;
     assert!(largest_change(states, |s| top.energy(s)) <= rounded(0.15 * 25.0 * 25.0));
     assert!(largest_change(states, |s| top.vertical_momentum(s)) <= rounded(0.15 * 25.0));
@@ -127,7 +140,12 @@ fn a_free_body_keeps_energy_and_momentum_and_turns_as_euler_says() {
     ];
     let attitude = diagonal([1.0, 1.0, 1.0]);
     for (j, omega0) in cases {
-        let body = SpatialPendulum { m: 1.0, g: 0.0, j: diagonal(j), rho: [0.0; 3] };
+        let body = SpatialPendulum {
+            m: 1.0,
+            g: 0.0,
+            j: diagonal(j),
+            rho: [0.0; 3],
+        };
         let times = [0.0, 0.5, 2.0, 9.0, 30.0];
         let solution = body.solve(omega0, attitude, &times).unwrap();
         let states = &solution.states;
@@ -140,7 +158,10 @@ fn a_free_body_keeps_energy_and_momentum_and_turns_as_euler_says() {
             let omega = euler.at(t);
             for (a, b) in omega.iter().zip(state.omega) {
                 // Each is rounded once.
-                assert!((a - b).abs() <= f64::EPSILON * b.abs() + solution.error, "{j:?}, {omega0:?}, t = {t}: {omega:?} {state:?}");
+                assert!(
+                    (a - b).abs() <= f64::EPSILON * b.abs() + solution.error,
+                    "{j:?}, {omega0:?}, t = {t}: {omega:?} {state:?}"
+                );
             }
         }
     }
@@ -149,13 +170,23 @@ fn a_free_body_keeps_energy_and_momentum_and_turns_as_euler_says() {
 #[test]
 fn turning_about_one_axis_is_the_planar_pendulum() {
     // About e₁ with ρ below: Γ₃ = (0, sin θ, cos θ), gravity along +e₃.
-    let pendulum = SpatialPendulum { m: 2.0, g: 9.81, j: diagonal([0.48, 0.7, 0.9]), rho: [0.0, 0.0, 0.6] };
+    let pendulum = SpatialPendulum {
+        m: 2.0,
+        g: 9.81,
+        j: diagonal([0.48, 0.7, 0.9]),
+        rho: [0.0, 0.0, 0.6],
+    };
     let planar = PlanarPendulum::new(2.0, 0.48, 0.6, 9.81, 0.0, 9.8).unwrap();
     let times = [0.5, 3.0, 20.0];
-    let solution = pendulum.solve([9.8, 0.0, 0.0], diagonal([1.0, 1.0, 1.0]), &times).unwrap();
+    let solution = pendulum
+        .solve([9.8, 0.0, 0.0], diagonal([1.0, 1.0, 1.0]), &times)
+        .unwrap();
     for (state, t) in solution.states.iter().zip(times) {
         let exact = planar.at(t);
-        assert!((state.omega[0] - exact.omega).abs() <= f64::EPSILON * exact.omega.abs() + solution.error);
+        assert!(
+            (state.omega[0] - exact.omega).abs()
+                <= f64::EPSILON * exact.omega.abs() + solution.error
+        );
         assert!((state.attitude[2][1] - exact.theta.sin()).abs() <= rounded(1.0));
     }
 }
@@ -163,7 +194,12 @@ fn turning_about_one_axis_is_the_planar_pendulum() {
 #[test]
 fn halved_accuracy_is_seen_in_the_error() {
     // The error that is reported bounds what a much shorter interval between outputs brings out.
-    let pendulum = SpatialPendulum { m: 10.0, g: 9.81, j: diagonal([1.0, 2.8, 2.0]), rho: [0.0, 0.1, 0.7] };
+    let pendulum = SpatialPendulum {
+        m: 10.0,
+        g: 9.81,
+        j: diagonal([1.0, 2.8, 2.0]),
+        rho: [0.0, 0.1, 0.7],
+    };
     let (omega0, attitude) = ([0.5, -0.5, 0.4], diagonal([1.0, 1.0, 1.0]));
     let once = pendulum.solve(omega0, attitude, &[5.0]).unwrap();
     let times: Vec<f64> = (1..=320).map(|i| f64::from(i) / 64.0).collect();
@@ -174,16 +210,38 @@ fn halved_accuracy_is_seen_in_the_error() {
 
 #[test]
 fn bad_data_are_named() {
-    let good = SpatialPendulum { m: 1.0, g: 9.81, j: diagonal([1.0, 1.0, 1.0]), rho: [0.0, 0.0, 1.0] };
+    let good = SpatialPendulum {
+        m: 1.0,
+        g: 9.81,
+        j: diagonal([1.0, 1.0, 1.0]),
+        rho: [0.0, 0.0, 1.0],
+    };
     let attitude = diagonal([1.0, 1.0, 1.0]);
     let solve = |p: SpatialPendulum, times: &[f64]| p.solve([0.0; 3], attitude, times).unwrap_err();
-    let heavy = SpatialPendulum { m: f64::NAN, ..good };
-    assert!(matches!(solve(heavy, &[1.0]), Invalid::NotFinite { name: "m", .. }));
-    let flat = SpatialPendulum { j: diagonal([1.0, 1.0, 0.0]), ..good };
+    let heavy = SpatialPendulum {
+        m: f64::NAN,
+        ..good
+    };
+    assert!(matches!(
+        solve(heavy, &[1.0]),
+        Invalid::NotFinite { name: "m", .. }
+    ));
+    let flat = SpatialPendulum {
+        j: diagonal([1.0, 1.0, 0.0]),
+        ..good
+    };
     assert!(matches!(solve(flat, &[1.0]), Invalid::NotPositive { .. }));
     let mut skew = good;
     skew.j[0][1] = 0.1;
     assert_eq!(solve(skew, &[1.0]), Invalid::NotSymmetric);
-    assert_eq!(solve(good, &[1.0, 0.5]), Invalid::TimesNotAscending { value: 0.5 });
-    assert!(good.solve([0.0; 3], attitude, &[]).unwrap().states.is_empty());
+    assert_eq!(
+        solve(good, &[1.0, 0.5]),
+        Invalid::TimesNotAscending { value: 0.5 }
+    );
+    assert!(
+        good.solve([0.0; 3], attitude, &[])
+            .unwrap()
+            .states
+            .is_empty()
+    );
 }

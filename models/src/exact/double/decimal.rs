@@ -57,6 +57,14 @@ fn shifted(value: Double, exponent: i32) -> Result<Double, NotDecimal> {
     for _ in 0..exponent.abs() {
         power = power * 10.0;
     }
-    let shifted = if exponent < 0 { value / power } else { value * power };
-    if shifted.is_finite() { Ok(shifted) } else { Err(NotDecimal) }
+    let shifted = if exponent < 0 {
+        value / power
+    } else {
+        value * power
+    };
+    if shifted.is_finite() {
+        Ok(shifted)
+    } else {
+        Err(NotDecimal)
+    }
 }
