@@ -16,7 +16,7 @@ const MOST_SUBSTEPS: u32 = 28;
 
 /// Change from one column to the next, relative to the largest component, at which the last one is taken. Its own
 /// error is smaller by orders of magnitude; lower costs columns, 1e-30 is out of reach.
-const AGREED: f64 = 1e-24;
+const AGREED: f64 = 1e-20;
 
 /// The states at `times` of dy/dt = f(y), y(0) = `start`, in steps no longer than `longest`, and the largest
 /// difference from a run with half as many steps again, whose states these are.

@@ -101,8 +101,12 @@ impl PlanarPendulum {
         let weight = m * g * l;
         let frequency = (weight / j).sqrt();
         positive("m g l/j", frequency.to_f64())?;
-        let n_turns = (theta0 / (Double::PI * 2.0)).to_f64().round();
-        let turns = Double::PI * 2.0 * n_turns;
+        let whole_turns = |n: f64| Double::PI * 2.0 * n;
+        let mut turns = whole_turns((theta0 / whole_turns(1.0)).to_f64().round());
+        if (theta0 - turns).abs() > Double::PI {
+            // Half a turn, rounded up: counted down, θ₀ near π stays as it is.
+            turns = whole_turns((theta0 / whole_turns(1.0)).to_f64().trunc());
+        }
         let (sin, cos) = ((theta0 - turns) / 2.0).sin_cos();
         let sense = if omega0.to_f64() < 0.0 { -1.0 } else { 1.0 };
         let w = omega0 / (frequency * 2.0);

@@ -15,7 +15,7 @@ use crate::spatial_group::Model;
 use crate::spatial_group::Parameters;
 use crate::spatial_group::State;
 
-/// Angle turned in the longest step, rad. Longer steps take more columns each, and from 2 on do not converge.
+/// Angle turned in the longest step, rad. Shorter steps cost more, and so do longer ones, which need more columns.
 const LONGEST_TURN: f64 = 1.5;
 
 /// Difference between two resolutions that is as good as none after the final rounding.

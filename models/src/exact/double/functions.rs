@@ -7,6 +7,9 @@ use super::product;
 /// Terms after which every series here has converged: 0.8³²/32! < 2⁻¹²⁰.
 const TERMS: u32 = 32;
 
+/// π/2 less its double-double value, without which the sine of π would keep no digit.
+const QUARTER_REST: f64 = -1.4973849048591698e-33;
+
 impl Double {
     /// √x, by one Newton step from the root in `f64` (Karp and Markstein, ACM Trans. Math. Softw. 23, 1997).
     pub fn sqrt(self) -> Self {
@@ -27,7 +30,7 @@ impl Double {
     pub fn sin_cos(self) -> (Self, Self) {
         let quarter = Self::PI.scaled(0.5);
         let quarters = (self.hi / quarter.hi).round();
-        let x = self - quarter * quarters;
+        let x = self - quarter * quarters - (QUARTER_REST * quarters).into();
         let square = -x.squared();
         let sin = x * powers(square, 2);
         let cos = powers(square, 1);

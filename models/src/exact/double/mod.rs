@@ -1,8 +1,8 @@
 //! Double-double numbers: a sum of two `f64`, some 31 digits.
 //!
-//! Written here because the crates at hand fall short of 1e-30: `twofloat` 0.8.4 divides to 1e-16 (the
-//! residual of its reciprocal is rounded) and has sines to 1e-19; `qd` 0.8.0 has neither sine nor arc
-//! tangent, and its sum loses all digits under cancellation.
+//! Written here because the crates at hand fall short of 1e-30: `twofloat` 0.8.4 divides to 1e-17 (the
+//! residual of its reciprocal is rounded) and has sines to 1e-21; `qd` 0.8.0 has neither sine nor arc
+//! tangent, and sums without a bound where they cancel.
 //!
 //! Source: Joldeș, Muller and Popescu, *Tight and rigorous error bounds for basic building blocks of
 //! double-word arithmetic*, ACM Trans. Math. Softw. 44 (2017); Dekker, *A floating-point technique for
