@@ -64,7 +64,7 @@ fn panel(scene: &Scene<'_>, quantity: &str) -> Result<Panel, RunError> {
         .iter()
         .min_by(|a, b| a.line.run.step.total_cmp(&b.line.run.step));
     if let Some(finest) = finest {
-        let points = points(scene, &finest.exact, &finest.exact.values(quantity)?);
+        let points = points(scene, finest.exact, &finest.exact.values(quantity)?);
         curves.push(curve("exact", true, points));
     }
     for drawn in &scene.curves {
@@ -196,7 +196,7 @@ fn data(scene: &Scene<'_>) -> Result<Data, RunError> {
         let label = drawn.line.label;
         let both = [
             (label.to_owned(), drawn.made),
-            (format!("exact for {label}"), &drawn.exact),
+            (format!("exact for {label}"), drawn.exact),
         ];
         for (name, recording) in both {
             let columns = quantities.iter().map(|quantity| recording.values(quantity));
