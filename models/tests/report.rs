@@ -167,7 +167,7 @@ fn difference_curve_is_what_the_concrete_stepper_gives() {
             stepper.step().unwrap();
         }
         let state = stepper.state();
-        let theta = state.gamma[0].atan2(state.gamma[1]);
+        let theta = state.Gamma[0].atan2(state.Gamma[1]);
         // The same operations in the same order.
         assert_eq!([stepper.t(), theta, state.omega], row[..]);
     }
@@ -236,7 +236,7 @@ fn exact_curves_end_at_the_reference() {
     for (i, (file, row)) in files.into_iter().enumerate() {
         let columns = ["x", "y", "z"].map(|axis| format!("{row}.{axis}"));
         let columns = columns.each_ref().map(String::as_str);
-        let rows_ = rows(file, "exact for Eq. 82, h = 0.1 s", &columns);
+        let rows_ = rows(file, "exact for h = 0.1 s", &columns);
         for (j, value) in rows_.last().unwrap().iter().enumerate() {
             // Angular velocities near 9 rad/s over 100 s.
             assert!(
