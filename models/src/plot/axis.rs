@@ -20,12 +20,16 @@ pub fn extent<'c>(
     }
 }
 
-/// The range of an axis around its values, never empty.
-pub fn padded((low, high): (f64, f64)) -> (f64, f64) {
+/// The range of an axis around its values, never empty and at least so large.
+pub fn padded((low, high): (f64, f64), least: f64) -> (f64, f64) {
     let magnitude = low.abs().max(high.abs());
     // Below this share of its size a variation is rounding, and magnifying it would mislead.
     let flat = 1e-9 * magnitude;
     match high - low {
+        height if height < least => {
+            let middle = low + 0.5 * height;
+            (middle - 0.5 * least, middle + 0.5 * least)
+        }
         _ if magnitude == 0.0 => (-1.0, 1.0),
         height if height <= flat => (low - 0.5 * magnitude, high + 0.5 * magnitude),
         height => (low - 0.08 * height, high + 0.08 * height),

@@ -31,6 +31,8 @@ pub struct Panel {
     pub unit: String,
     /// In legend order.
     pub curves: Vec<Curve>,
+    /// The least range of its axis: what varies less is shown as flat as it is. 0 for any.
+    pub least_range: f64,
 }
 
 /// One component over time.
@@ -226,12 +228,12 @@ fn draw<'a>(figure: &Figure, root: &Area<'a>) -> Drawn<'a> {
 }
 
 fn draw_panel<'a>(panel: &Panel, frame: &Frame, time: Option<&str>, area: &Area<'a>) -> Drawn<'a> {
-    let (low, high) = padded(extent(&panel.curves, |p| p.1));
+    let (low, high) = padded(extent(&panel.curves, |p| p.1), panel.least_range);
     let exponent = common_exponent(low, high);
     // plotters finds no good ticks for numbers like 1e-16, so it gets numbers of ordinary size.
     let scale = 10f64.powi(exponent);
     draw_caption(panel, exponent, area)?;
-    draw_legend(panel, frame, area)?;
+    draw_legend(panel, exponent, frame, area)?;
     let mut chart = ChartBuilder::on(area)
         .margin_top(CAPTION * SCALE)
         .margin_right(frame.right * SCALE)
@@ -275,19 +277,22 @@ fn styled(panel: &Panel) -> impl Iterator<Item = (&Curve, ShapeStyle)> {
 
 /// The title of a panel on its upper edge.
 fn draw_caption<'a>(panel: &Panel, exponent: i32, area: &Area<'a>) -> Drawn<'a> {
+    write(area, &caption(panel, exponent), (LEFT, 8), bold(12.5, INK))
+}
+
+fn caption(panel: &Panel, exponent: i32) -> String {
     let unit = match (exponent, panel.unit.as_str()) {
         (0, "1") => String::new(),
         (0, unit) => format!("[{unit}]"),
         (_, "1") => format!("[{}]", power_of_ten(exponent)),
         (_, unit) => format!("[{} {unit}]", power_of_ten(exponent)),
     };
-    let caption = format!("{}  {unit}", panel.title);
-    write(area, caption.trim_end(), (LEFT, 8), bold(12.5, INK))
+    format!("{}  {unit}", panel.title).trim_end().to_owned()
 }
 
 /// The names of the curves, if there is more than one: on the right of a panel, or on its upper edge in a
 /// picture without a header.
-fn draw_legend<'a>(panel: &Panel, frame: &Frame, area: &Area<'a>) -> Drawn<'a> {
+fn draw_legend<'a>(panel: &Panel, exponent: i32, frame: &Frame, area: &Area<'a>) -> Drawn<'a> {
     if panel.curves.len() < 2 {
         return Ok(());
     }
@@ -296,10 +301,10 @@ fn draw_legend<'a>(panel: &Panel, frame: &Frame, area: &Area<'a>) -> Drawn<'a> {
         .collect();
     let pitch = if panel.curves.len() > 6 { 13 } else { 17 };
     let width = |curve: &Curve| SWATCH + LETTER * curve.label.chars().count() as i32;
-    let total: i32 = named.iter().map(|(curve, _)| width(curve)).sum();
+    let caption = caption(panel, exponent);
     let mut place = match frame.legend {
         Legend::Right => (frame.width - frame.right + 14, CAPTION + 8),
-        Legend::Above => (frame.width - frame.right - total, 14),
+        Legend::Above => (LEFT + SWATCH + LETTER * caption.chars().count() as i32, 14),
     };
     for (curve, style) in named {
         draw_name(curve, style, place, area)?;

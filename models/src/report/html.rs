@@ -148,9 +148,12 @@ fn table(table: &Table) -> String {
         Some(true) => " class=\"number\"",
         _ => "",
     };
-    let mut text = String::from("<div class=\"table\"><table>\n");
+    let mut text = String::from("<figure class=\"table\">\n");
     let (caption, csv) = (escaped(&table.caption), csv_link(&table.csv));
-    let _ = writeln!(text, "<caption>{caption} {csv}</caption>\n<thead><tr>");
+    let _ = writeln!(
+        text,
+        "<figcaption>{caption} {csv}</figcaption>\n<div class=\"scroll\"><table>\n<thead><tr>"
+    );
     for (column, name) in head.iter().enumerate() {
         let (class, name) = (class(column), escaped(name));
         let _ = writeln!(text, "<th scope=\"col\"{class}>{name}</th>");
@@ -163,7 +166,7 @@ fn table(table: &Table) -> String {
         }
         text += "</tr>\n";
     }
-    text + "</tbody>\n</table></div>\n"
+    text + "</tbody>\n</table></div>\n</figure>\n"
 }
 
 /// There is a number in the column, and nothing else.

@@ -58,7 +58,7 @@ pub struct Measure {
 impl Measure {
     /// Measures a run.
     pub fn of(run: &Wanted, made: &Recording, exact: &Recording) -> Result<Self, RunError> {
-        let (own, true_one) = match is_planar(run) {
+        let (own, true_one) = match run.is_planar() {
             true => (Swing::planar(made)?, Swing::planar(exact)?),
             false => (Swing::spatial(run, made)?, Swing::tilt(exact, "Γ3")?),
         };
@@ -79,7 +79,7 @@ impl Measure {
         let late = within(&amplitudes, end - WINDOW, end);
         let late_amplitude = late.iter().sum::<f64>() / late.len().max(1) as f64;
         let (lag, swings) = own.lag(&true_one);
-        let off_axis = match is_planar(run) {
+        let off_axis = match run.is_planar() {
             true => Vec::new(),
             false => off_axis(made)?,
         };
@@ -129,14 +129,10 @@ pub fn amplitudes(run: &Wanted, made: &Recording) -> Result<Vec<f64>, RunError> 
 }
 
 fn scene(run: &Wanted) -> Result<Planar, RunError> {
-    match is_planar(run) {
+    match run.is_planar() {
         true => Planar::paper(),
         false => Ok(Spatial::paper()?.swing),
     }
-}
-
-fn is_planar(run: &Wanted) -> bool {
-    run.model.starts_with("planar")
 }
 
 /// The part of ω across the axis of the exact swing, as a share of the largest ω, at each time.

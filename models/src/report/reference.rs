@@ -120,7 +120,7 @@ pub fn reference(wanted: &Wanted) -> Result<Recording, RunError> {
     let times: Vec<f64> = (0..=wanted.steps())
         .map(|k| k as f64 * wanted.step)
         .collect();
-    let (columns, rows): (&[&str], Vec<Vec<f64>>) = if wanted.model.starts_with("planar") {
+    let (columns, rows): (&[&str], Vec<Vec<f64>>) = if wanted.is_planar() {
         let states = Planar::paper()?.states(&times)?;
         let row = |(angle, velocity): (f64, f64)| vec![velocity, angle];
         (&["ω", "θ"], states.into_iter().map(row).collect())

@@ -1,5 +1,6 @@
 //! The runs behind the figures: each is made once, whoever asks for it.
 
+use super::reference::reference;
 use crate::UnknownModel;
 use crate::columns::header;
 use crate::columns::ordered_outputs;
@@ -97,6 +98,23 @@ impl Wanted {
     /// Steps to its end.
     pub fn steps(&self) -> u64 {
         (self.until / self.step).round() as u64
+    }
+
+    /// A run of the same motion at the same times, the same for all models of a scene.
+    fn scene(&self) -> Self {
+        Self {
+            model: match self.is_planar() {
+                true => "planar_angle",
+                false => "spatial_group",
+            },
+            method: Method::RungeKutta4,
+            ..*self
+        }
+    }
+
+    /// It moves in the plane.
+    pub fn is_planar(&self) -> bool {
+        self.model.starts_with("planar")
     }
 
     /// Makes the run.
@@ -200,51 +218,82 @@ impl<'a> Rows<'a> {
     }
 }
 
-/// Runs that have been made.
-pub struct Runs(Vec<(Wanted, Recording)>);
+/// Runs that have been made, and the exact solutions at their times.
+pub struct Runs {
+    made: Vec<(Wanted, Recording)>,
+    /// By scene and times, which many runs share.
+    exact: Vec<(Wanted, Recording)>,
+}
 
 impl Runs {
     /// Makes the runs, each once, on two threads, and moves the bar by one for each.
     pub fn make(wanted: &[Wanted], progress: &ProgressBar) -> Result<Self, RunError> {
-        let mut distinct: Vec<Wanted> = Vec::new();
-        for run in wanted {
-            if !distinct.contains(run) {
-                distinct.push(*run);
-            }
-        }
-        progress.inc_length(distinct.len() as u64);
-        let record = |offset: usize| {
-            let own = distinct.iter().skip(offset).step_by(THREADS);
-            let recorded = own.map(|run| {
-                let recording = run.record()?;
-                progress.inc(1);
-                Ok((*run, recording))
-            });
-            recorded.collect::<Result<Vec<_>, RunError>>()
-        };
-        let shares: Vec<_> = thread::scope(|scope| {
-            let started: Vec<_> = (0..THREADS)
-                .map(|offset| scope.spawn(move || record(offset)))
-                .collect();
-            let joined = started.into_iter().map(|thread| thread.join());
-            // A panic in a thread is a bug, and goes on as one.
-            joined
-                .map(|outcome| outcome.unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
-                .collect()
-        });
-        let mut made = Vec::new();
-        for share in shares {
-            made.extend(share?);
-        }
-        Ok(Self(made))
+        let runs = distinct(wanted.iter().copied());
+        let references = distinct(runs.iter().map(Wanted::scene));
+        progress.inc_length((runs.len() + references.len()) as u64);
+        Ok(Self {
+            made: all(&runs, Wanted::record, progress)?,
+            exact: all(&references, reference, progress)?,
+        })
     }
 
     /// The recording of a run, which must be one of those made.
     pub fn get(&self, wanted: &Wanted) -> &Recording {
-        let found = self.0.iter().find(|(run, _)| run == wanted);
-        &found.expect("the run is in the list of runs to make").1
+        found(&self.made, wanted)
     }
+
+    /// The exact solution at the times of a run, which must be one of those made.
+    pub fn exact(&self, wanted: &Wanted) -> &Recording {
+        found(&self.exact, &wanted.scene())
+    }
+}
+
+fn found<'r>(recordings: &'r [(Wanted, Recording)], wanted: &Wanted) -> &'r Recording {
+    let found = recordings.iter().find(|(run, _)| run == wanted);
+    &found.expect("the run is in the list of runs to make").1
+}
+
+fn distinct(wanted: impl Iterator<Item = Wanted>) -> Vec<Wanted> {
+    let mut distinct = Vec::new();
+    for run in wanted {
+        if !distinct.contains(&run) {
+            distinct.push(run);
+        }
+    }
+    distinct
 }
 
 /// Threads that runs are shared among: the report is to be quick on a machine with two cores.
 const THREADS: usize = 2;
+
+fn all(
+    runs: &[Wanted],
+    record: impl Fn(&Wanted) -> Result<Recording, RunError> + Sync,
+    progress: &ProgressBar,
+) -> Result<Vec<(Wanted, Recording)>, RunError> {
+    let share = |offset: usize| {
+        let own = runs.iter().skip(offset).step_by(THREADS);
+        let recorded = own.map(|run| {
+            let recording = record(run)?;
+            progress.inc(1);
+            Ok((*run, recording))
+        });
+        recorded.collect::<Result<Vec<_>, RunError>>()
+    };
+    let shares: Vec<_> = thread::scope(|scope| {
+        let share = &share;
+        let started: Vec<_> = (0..THREADS)
+            .map(|offset| scope.spawn(move || share(offset)))
+            .collect();
+        let joined = started.into_iter().map(|thread| thread.join());
+        // A panic in a thread is a bug, and goes on as one.
+        joined
+            .map(|outcome| outcome.unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
+            .collect()
+    });
+    let mut recorded = Vec::new();
+    for share in shares {
+        recorded.extend(share?);
+    }
+    Ok(recorded)
+}

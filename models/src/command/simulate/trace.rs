@@ -123,6 +123,7 @@ impl Trace {
             title: filling.title,
             unit: filling.unit,
             curves: filling.columns.into_iter().map(curve).collect(),
+            least_range: 0.0,
         };
         self.panels.into_iter().map(panel).collect()
     }

@@ -332,7 +332,7 @@ fn part_last(measures: &[Measure]) -> Block {
         .iter()
         .map(|measure| {
             format!(
-                "`{}` {}, {} of the range off",
+                "{} {}, {} of the range off",
                 measure.run.model,
                 lag(measure.lag),
                 percent(measure.last_share())

@@ -19,6 +19,10 @@ const WIDTH: i32 = 800;
 /// Points that a curve may have: about two per pixel.
 const MAX_POINTS: usize = 1600;
 
+/// Range of a state's axis below which all is rounding of numbers near 1: a component that is 0 in the exact
+/// solution would otherwise be drawn as noise.
+const LEAST_RANGE: f64 = 1e-3;
+
 /// The plot and its data.
 pub fn figure(scene: &Scene<'_>) -> Result<Figure, RunError> {
     let plan = scene.plan;
@@ -64,7 +68,7 @@ fn panel(scene: &Scene<'_>, quantity: &str) -> Result<Panel, RunError> {
         .iter()
         .min_by(|a, b| a.line.run.step.total_cmp(&b.line.run.step));
     if let Some(finest) = finest {
-        let points = points(scene, &finest.exact, &finest.exact.values(quantity)?);
+        let points = points(scene, finest.exact, &finest.exact.values(quantity)?);
         curves.push(curve("exact", true, points));
     }
     for drawn in &scene.curves {
@@ -75,6 +79,7 @@ fn panel(scene: &Scene<'_>, quantity: &str) -> Result<Panel, RunError> {
         title: quantity.to_owned(),
         unit: unit(unit_of(quantity)),
         curves,
+        least_range: LEAST_RANGE,
     })
 }
 
@@ -99,6 +104,7 @@ fn errors(scene: &Scene<'_>, quantity: &str) -> Result<Panel, RunError> {
         title: format!("{quantity} less exact {quantity}"),
         unit: unit(unit_of(quantity)),
         curves,
+        least_range: 0.0,
     })
 }
 
@@ -117,6 +123,7 @@ fn amplitudes(scene: &Scene<'_>) -> Result<Panel, RunError> {
         title: "amplitude of θ".to_owned(),
         unit: unit(unit_of("θ")),
         curves,
+        least_range: 0.0,
     })
 }
 
@@ -142,6 +149,7 @@ fn forms(scene: &Scene<'_>, quantity: &str) -> Result<Panel, RunError> {
         title,
         unit: unit(unit_of(quantity)),
         curves,
+        least_range: 0.0,
     })
 }
 
@@ -196,7 +204,7 @@ fn data(scene: &Scene<'_>) -> Result<Data, RunError> {
         let label = drawn.line.label;
         let both = [
             (label.to_owned(), drawn.made),
-            (format!("exact for {label}"), &drawn.exact),
+            (format!("exact for {label}"), drawn.exact),
         ];
         for (name, recording) in both {
             let columns = quantities.iter().map(|quantity| recording.values(quantity));

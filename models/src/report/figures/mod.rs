@@ -13,7 +13,6 @@ use super::page::Cell;
 use super::page::Data;
 use super::page::Section;
 use super::page::Table;
-use super::reference::reference;
 use super::runs::Method;
 use super::runs::Recording;
 use super::runs::RunError;
@@ -66,7 +65,7 @@ enum Extra {
 struct Drawn<'a> {
     line: &'a Line,
     made: &'a Recording,
-    exact: Recording,
+    exact: &'a Recording,
 }
 
 /// A figure with its data.
@@ -118,8 +117,8 @@ fn scene<'a>(plan: &'a Plan, runs: &'a Runs) -> Result<Scene<'a>, RunError> {
     let (mut curves, mut measures) = (Vec::new(), Vec::new());
     for line in &plan.curves {
         let made = runs.get(&line.run);
-        let exact = reference(&line.run)?;
-        measures.push(Measure::of(&line.run, made, &exact)?);
+        let exact = runs.exact(&line.run);
+        measures.push(Measure::of(&line.run, made, exact)?);
         curves.push(Drawn { line, made, exact });
     }
     Ok(Scene {
@@ -172,10 +171,7 @@ fn describe(run: &Wanted) -> String {
 /// The runs of a figure against the exact solution.
 fn table(scene: &Scene<'_>) -> Table {
     let number = scene.plan.number;
-    let planar = scene
-        .curves
-        .iter()
-        .all(|c| c.line.run.model.starts_with("planar"));
+    let planar = scene.curves.iter().all(|c| c.line.run.is_planar());
     let mut head = vec![
         "curve",
         "h [s]",

@@ -69,20 +69,20 @@ pub fn plans() -> Vec<Plan> {
     let recursive = || vec![line("Eq. 70, h = 0.05 s", "spatial_recursive", 0.05)];
     let reduced = || {
         vec![
-            line("Eq. 77, h = 0.1 s", "spatial_reduced", 0.1),
-            line("Eq. 77, h = 0.01 s", "spatial_reduced", 0.01),
+            line("h = 0.1 s", "spatial_reduced", 0.1),
+            line("h = 0.01 s", "spatial_reduced", 0.01),
         ]
     };
     let group = || {
         vec![
-            line("Eq. 82, h = 0.1 s", "spatial_group", 0.1),
-            line("Eq. 82, h = 0.01 s", "spatial_group", 0.01),
+            line("h = 0.1 s", "spatial_group", 0.1),
+            line("h = 0.01 s", "spatial_group", 0.01),
         ]
     };
     let cardan = || {
         vec![
-            line("Eq. 86, h = 0.01 s", "spatial_cardan", 0.01),
-            line("Eq. 86, h = 0.005 s", "spatial_cardan", 0.005),
+            line("h = 0.01 s", "spatial_cardan", 0.01),
+            line("h = 0.005 s", "spatial_cardan", 0.005),
         ]
     };
     let (stable, steps) = (Check::Stable, Check::StableAndSteps);
@@ -113,7 +113,7 @@ pub fn plans() -> Vec<Plan> {
         ),
         plan(
             20,
-            "Angular velocity, reduced attitude",
+            "Angular velocity, reduced attitude (Eq. 77)",
             reduced(),
             VELOCITY,
             WHY_WINDOW,
@@ -129,7 +129,7 @@ pub fn plans() -> Vec<Plan> {
         ),
         plan(
             22,
-            "Angular velocity, complete group",
+            "Angular velocity, complete group (Eq. 82)",
             group(),
             VELOCITY,
             WHY_WINDOW,
@@ -161,7 +161,7 @@ pub fn plans() -> Vec<Plan> {
         ),
         plan(
             26,
-            "Angular velocity, Cardan angles",
+            "Angular velocity, Cardan angles (Eq. 86)",
             cardan(),
             VELOCITY,
             WHY_CARDAN,
