@@ -69,6 +69,7 @@ impl<'a> Advance<'a> {
             && list.len() == residual.len()
             && !list.is_empty()
             && !self.states.is_empty()
+            && !typing.symbols.any_contested()
         {
             self.check_residual(typing, residual, keyword);
         }

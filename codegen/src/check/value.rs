@@ -38,7 +38,7 @@ pub fn check_value(
     let mut errors = Errors::default();
     let symbols = Symbols::collect(&ast, &mut errors);
     let units = vec![None; symbols.list.len()];
-    let mut typing = Typing::new(&ast.exprs, &symbols, Unit::ONE, errors);
+    let mut typing = Typing::new(&ast.exprs, &symbols, Some(Unit::ONE), errors);
     let output = Kind::Output(OutputKind::Observable);
     context::check_values(&mut typing, output, Context::Value);
     typing.define(&units);
@@ -52,11 +52,11 @@ pub fn check_value(
         residual: Vec::new(),
         flow: Vec::new(),
         outputs: typing.outputs(&units),
-        exprs: typing.exprs,
+        exprs: std::mem::take(&mut typing.exprs),
         forms: Vec::new(),
         claims: Vec::new(),
     };
-    typing.errors.or(model)
+    typing.into_errors().or(model)
 }
 
 /// `param p = 0; observe … = value;`

@@ -3,6 +3,7 @@
 use super::definitions::written_shape;
 use super::statements::Block;
 use super::symbols::Kind;
+use super::types::ComponentUnit;
 use super::types::Type;
 use super::typing::Meaning;
 use super::typing::Typing;
@@ -71,7 +72,7 @@ impl Typing<'_> {
         for (state, _) in states
             .iter()
             .zip(&values)
-            .filter(|(_, value)| value.is_none())
+            .filter(|(state, value)| value.is_none() && !self.symbols.is_contested(&state.name))
         {
             let name = &state.name.display;
             let message = format!("the state `{name}` has no start value");
@@ -92,7 +93,7 @@ impl Typing<'_> {
     }
 
     /// Invariants and observables. What their types leave out, their values decide.
-    pub(super) fn outputs(&mut self, units: &[Option<Unit>]) -> Vec<Output> {
+    pub(super) fn outputs(&mut self, units: &[Option<ComponentUnit>]) -> Vec<Output> {
         let symbols = self.symbols;
         let mut outputs: Vec<Output> = Vec::new();
         for (index, symbol) in symbols.of_kind(Kind::Output(OutputKind::Observable)) {
@@ -110,7 +111,7 @@ impl Typing<'_> {
             let mut variable = Variable {
                 name: symbol.name.clone(),
                 shape,
-                unit: units[index].unwrap_or(Unit::ONE),
+                unit: units[index].flatten().unwrap_or(Unit::ONE),
                 doc: symbol.doc.to_vec(),
                 offset: outputs.last().map_or(0, |last| end(&last.variable)),
             };
@@ -121,8 +122,8 @@ impl Typing<'_> {
                 variable.unit = self.one_unit(&units, range, &what).unwrap_or(Unit::ONE);
             }
             self.conform_shape(value, &variable);
-            if units[index].is_some() {
-                self.conform_unit(value, &variable);
+            if let Some(unit) = units[index] {
+                self.conform_unit(value, &variable, unit);
             }
             outputs.push(Output {
                 variable,
@@ -139,7 +140,10 @@ impl Typing<'_> {
         for (index, symbol) in self.symbols.of_kind(kind) {
             let (shape, unit) = match &self.meanings[index] {
                 Meaning::Variable(Type::Matrix(shape, units)) => (*shape, units[0]),
-                _ => (Shape::SCALAR, None),
+                _ => {
+                    let written = symbol.ty.and_then(written_shape);
+                    (written.unwrap_or(Shape::SCALAR), None)
+                }
             };
             let variable = Variable {
                 name: symbol.name.clone(),
@@ -184,39 +188,51 @@ impl Typing<'_> {
     fn conform(&mut self, value: ExprId, variable: &Variable, strictness: Strictness) {
         self.conform_shape(value, variable);
         if strictness == Strictness::Strict || self.fact(value).dimensioned {
-            self.conform_unit(value, variable);
+            let unit = match self.meaning(&variable.name) {
+                Some(Meaning::Variable(Type::Matrix(_, units))) => units[0],
+                _ => None,
+            };
+            self.conform_unit(value, variable, unit);
         }
     }
 
     fn conform_shape(&mut self, value: ExprId, variable: &Variable) {
-        let shape = variable.shape;
-        let fits = match self.ty(value) {
-            Type::Poison => true,
-            Type::Multiple(_) if shape.is_scalar() => self.is_sizeless(&variable.name),
-            Type::Multiple(_) => shape.rows == shape.cols,
-            Type::Matrix(own, _) => *own == shape || self.is_zero(value),
-        };
-        if !fits {
-            let (shown, found) = (&variable.name.display, self.ty(value).noun());
-            let message = format!("`{shown}` is a {shape}, found {found}");
-            self.errors.push(self.range(value), message);
+        let in_doubt = matches!(self.meaning(&variable.name), Some(Meaning::Unclear));
+        if !in_doubt && !self.takes_shape(value, variable.shape) {
+            self.wrong_shape(value, &variable.name, variable.shape);
         }
     }
 
-    /// True for a name whose shape could not be told, which is already reported.
-    fn is_sizeless(&self, name: &Name) -> bool {
-        let meaning = self.symbols.find(name).map(|i| &self.meanings[i]);
-        matches!(meaning, Some(Meaning::Unclear))
+    /// What a name stands for in expressions; an output stands for nothing.
+    fn meaning(&self, name: &Name) -> Option<&Meaning> {
+        let index = self.symbols.find(name)?;
+        let is_output = matches!(self.symbols.list[index].kind, Kind::Output(_));
+        (!is_output).then(|| &self.meanings[index])
     }
 
-    fn conform_unit(&mut self, value: ExprId, variable: &Variable) {
-        let Variable { shape, unit, .. } = variable;
-        let found = self.spread(self.ty(value), *shape);
-        let expected = vec![Some(*unit); found.len()];
+    /// True if `value` has this shape or can take it.
+    pub(super) fn takes_shape(&self, value: ExprId, shape: Shape) -> bool {
+        match self.ty(value) {
+            Type::Poison => true,
+            Type::Multiple(_) => shape.rows == shape.cols && !shape.is_scalar(),
+            Type::Matrix(own, _) => *own == shape || self.is_zero(value),
+        }
+    }
+
+    pub(super) fn wrong_shape(&mut self, value: ExprId, name: &Name, shape: Shape) {
+        let (shown, found) = (&name.display, self.ty(value).noun());
+        let message = format!("`{shown}` is a {shape}, found {found}");
+        self.errors.push(self.range(value), message);
+    }
+
+    fn conform_unit(&mut self, value: ExprId, variable: &Variable, expected: ComponentUnit) {
+        let shape = variable.shape;
+        let found = self.spread(self.ty(value), shape);
+        let expected = vec![expected; found.len()];
         let (at, shown) = (self.range(value), &variable.name.display);
         self.equal_units(
             at,
-            Some(*shape),
+            Some(shape),
             &found,
             &expected,
             |position, found, unit| {
