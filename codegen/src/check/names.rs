@@ -10,6 +10,7 @@ use crate::ast::Level;
 use crate::ast::Name;
 use crate::diagnostic::Range;
 use crate::function::Function;
+use crate::function::NO_CONDITIONALS;
 use crate::function::TABLE;
 use crate::model::Op;
 use crate::unit::Unit;
@@ -29,6 +30,18 @@ const ALIASES: &[(&str, &str)] = &[
     ("inverse", "inv(A)"),
     ("pow", "x^n"),
     ("expm", "exp(A)"),
+];
+
+/// Functions that decide between values, and what to write for those that can be had without.
+const CONDITIONALS: &[(&str, &str)] = &[
+    ("if", ""),
+    ("ifelse", ""),
+    ("where", ""),
+    ("select", ""),
+    ("piecewise", ""),
+    ("heaviside", "; heaviside(x) is (1 + sign(x))/2"),
+    ("min", "; min(a, b) is (a + b - abs(a - b))/2"),
+    ("max", "; max(a, b) is (a + b + abs(a - b))/2"),
 ];
 
 impl Typing<'_> {
@@ -181,6 +194,7 @@ impl Typing<'_> {
             "e1" => return Some("write `let e1 = [1, 0, 0];`, or [1, 0] in the plane".to_owned()),
             "e2" => return Some("write `let e2 = [0, 1, 0];`, or [0, 1] in the plane".to_owned()),
             "e3" => return Some("write `let e3 = [0, 0, 1];`".to_owned()),
+            "e" => return Some("write exp(x) for e^x".to_owned()),
             "T" => return Some("write x.T for the transpose of x".to_owned()),
             _ => {}
         }
@@ -201,6 +215,11 @@ impl Typing<'_> {
         let key = format!("{}()", name.ascii);
         if let Some((_, usage)) = alias {
             return self.fail_once(key, range, message, Some(format!("write {usage}")));
+        }
+        let conditional = CONDITIONALS.iter().find(|row| row.0 == name.ascii);
+        if let Some((_, instead)) = conditional {
+            let help = format!("{NO_CONDITIONALS}{instead}");
+            return self.fail_once(key, range, message, Some(help));
         }
         let functions = TABLE.iter().map(|row| row.0);
         let close = |candidate: &str| strsim::damerau_levenshtein(candidate, &name.ascii) <= 1;

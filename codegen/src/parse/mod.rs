@@ -4,6 +4,7 @@
 //! mistake in the grammar: after one, reading goes on behind the next `;` or block. From here on
 //! expressions are flat lists and numbers are exact.
 
+mod advice;
 mod block;
 mod cursor;
 mod expression;
