@@ -262,14 +262,14 @@ fn start_values_honour_constraints() {
         let outputs = case.outputs(0.01, &case.start);
         assert!(outputs.iter().all(|v| v.is_finite()), "{}", entry.name());
         let variables = description.parameters.iter().chain(description.states);
-        if variables.into_iter().all(|v| v.unit == "1") {
+        if variables.into_iter().all(|v| v.dimensionless) {
             continue;
         }
         let mut k = 0;
         for output in description.outputs {
             let n = total(std::slice::from_ref(&output.variable));
             for value in &outputs[k..k + n] {
-                let constraint = output.invariant && output.variable.unit == "1";
+                let constraint = output.invariant && output.variable.dimensionless;
                 let off = value.abs().min((value - 1.0).abs());
                 assert!(
                     !constraint || off <= 8.0 * f64::EPSILON,

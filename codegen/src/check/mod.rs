@@ -43,6 +43,7 @@ use symbols::Symbol;
 use symbols::Symbols;
 use types::ComponentUnit;
 use typing::Typing;
+use values::Strictness;
 
 /// Checks a model.
 ///
@@ -63,7 +64,7 @@ pub fn check(ast: &Ast) -> Result<Model, Errors> {
     let variables = typing.states();
     let start = typing.start(&variables, statements.start);
     let update = typing.update(&variables, statements.update);
-    let outputs = typing.outputs(&units);
+    let outputs = typing.outputs(&units, Strictness::Strict);
     let flow = typing.flow(statements.flow, &variables);
     let residual = typing.residual(statements.residual);
     let claims = typing.claims(&statements.claims);

@@ -96,6 +96,7 @@ fn outputs(typing: &mut Typing) -> Vec<Output> {
             name: symbol.name.clone(),
             shape,
             unit: Unit::ONE,
+            symbols: "1".to_owned(),
             doc: Vec::new(),
             offset,
         };

@@ -3,6 +3,7 @@
 use super::definitions::written_shape;
 use super::statements::Block;
 use super::symbols::Kind;
+use super::symbols::Symbol;
 use super::types::ComponentUnit;
 use super::types::Type;
 use super::typing::Meaning;
@@ -20,7 +21,7 @@ use crate::unit::Unit;
 
 /// How strictly the unit of a value is compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Strictness {
+pub(super) enum Strictness {
     /// Always.
     Strict,
     /// Only if the value contains a name with a unit: bare numbers carry the declared unit.
@@ -93,7 +94,11 @@ impl Typing<'_> {
     }
 
     /// Invariants and observables. What their types leave out, their values decide.
-    pub(super) fn outputs(&mut self, units: &[Option<ComponentUnit>]) -> Vec<Output> {
+    pub(super) fn outputs(
+        &mut self,
+        units: &[Option<ComponentUnit>],
+        strictness: Strictness,
+    ) -> Vec<Output> {
         let symbols = self.symbols;
         let mut outputs: Vec<Output> = Vec::new();
         for (index, symbol) in symbols.of_kind(Kind::Output(OutputKind::Observable)) {
@@ -112,6 +117,7 @@ impl Typing<'_> {
                 name: symbol.name.clone(),
                 shape,
                 unit: units[index].flatten().unwrap_or(Unit::ONE),
+                symbols: written_unit(symbol),
                 doc: symbol.doc.to_vec(),
                 offset: outputs.last().map_or(0, |last| end(&last.variable)),
             };
@@ -120,9 +126,12 @@ impl Typing<'_> {
                 let range = self.range(value);
                 let units = self.spread(&ty, shape);
                 variable.unit = self.one_unit(&units, range, &what).unwrap_or(Unit::ONE);
+                variable.symbols = variable.unit.to_string();
             }
             self.conform_shape(value, &variable);
-            if let Some(unit) = units[index] {
+            if let Some(unit) = units[index]
+                && self.compares(value, strictness)
+            {
                 self.conform_unit(value, &variable, unit);
             }
             outputs.push(Output {
@@ -149,6 +158,7 @@ impl Typing<'_> {
                 name: symbol.name.clone(),
                 shape,
                 unit: unit.unwrap_or(Unit::ONE),
+                symbols: written_unit(symbol),
                 doc: symbol.doc.to_vec(),
                 offset: list.last().map_or(0, |(_, last)| end(last)),
             };
@@ -187,13 +197,18 @@ impl Typing<'_> {
     /// Complains unless `value` can be the value of `variable`.
     fn conform(&mut self, value: ExprId, variable: &Variable, strictness: Strictness) {
         self.conform_shape(value, variable);
-        if strictness == Strictness::Strict || self.fact(value).dimensioned {
+        if self.compares(value, strictness) {
             let unit = match self.meaning(&variable.name) {
                 Some(Meaning::Variable(Type::Matrix(_, units))) => units[0],
                 _ => None,
             };
             self.conform_unit(value, variable, unit);
         }
+    }
+
+    /// True if the unit of `value` is compared with the declared one.
+    fn compares(&self, value: ExprId, strictness: Strictness) -> bool {
+        strictness == Strictness::Strict || self.fact(value).dimensioned
     }
 
     fn conform_shape(&mut self, value: ExprId, variable: &Variable) {
@@ -240,6 +255,12 @@ impl Typing<'_> {
             },
         );
     }
+}
+
+/// The unit in a declaration; `1` where it has none.
+fn written_unit(symbol: &Symbol) -> String {
+    let unit = symbol.ty.and_then(|ty| ty.unit.as_ref());
+    unit.map_or_else(|| "1".to_owned(), ToString::to_string)
 }
 
 /// Where the next variable begins.
