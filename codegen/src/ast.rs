@@ -5,6 +5,7 @@
 
 use crate::diagnostic::Range;
 use num_rational::BigRational;
+use std::fmt;
 
 /// Most rows or columns of a matrix, and most scalar unknowns of a solver: nalgebra has static sizes
 /// up to 127, and a dense solve of that size takes a millisecond.
@@ -151,6 +152,32 @@ pub struct UnitExpr {
     pub factors: Vec<(Name, (i32, i32))>,
     /// From its first token to its last.
     pub range: Range,
+}
+
+/// As written, in ASCII and without blanks: `rad/s`, `N*m`, `kg*m^2/s`, `m^(1/2)`; `1` if there is no
+/// factor. Reads back as the same unit.
+impl fmt::Display for UnitExpr {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.factors.first().is_none_or(|(_, (p, _))| *p < 0) {
+            f.write_str("1")?;
+        }
+        for (i, (symbol, (p, q))) in self.factors.iter().enumerate() {
+            match (*p < 0, i) {
+                (true, _) => f.write_str("/")?,
+                (false, 0) => {}
+                (false, _) => f.write_str("*")?,
+            }
+            // The letter of the ohm is also that of a name.
+            let ascii = symbol.ascii.as_str();
+            f.write_str(if ascii == "Omega" { "ohm" } else { ascii })?;
+            match (p.abs(), *q) {
+                (1, 1) => {}
+                (p, 1) => write!(f, "^{p}")?,
+                (p, q) => write!(f, "^({p}/{q})")?,
+            }
+        }
+        Ok(())
+    }
 }
 
 /// `lhs = rhs;`

@@ -2,6 +2,7 @@
 
 use crate::ast::Form;
 use crate::ast::Name;
+use crate::ast::TypeExpr;
 use crate::check::check;
 use crate::check::check_value;
 use crate::check::stand_in;
@@ -25,6 +26,7 @@ use crate::parse::ascii_spelling;
 use crate::parse::parse;
 use crate::parse::parse_expression;
 use crate::parse::parse_leniently;
+use crate::parse::parse_unit;
 use crate::source::lex;
 use crate::stage::program;
 use crate::structure::structure;
@@ -102,27 +104,36 @@ pub fn analyse(name: &str, tokens: TokenStream) -> Result<Analysis, Errors> {
     })
 }
 
-/// The components, row by row, of `text` as a value of `shape`; it may use `symbols`, each given by its
-/// name, shape and components.
+/// What can be given a value on the command line, or be named in one.
+#[derive(Clone, Copy, Debug)]
+pub struct Quantity<'a> {
+    /// Its name.
+    pub name: &'a str,
+    /// Its shape.
+    pub shape: Shape,
+    /// Its unit, as a model file writes it.
+    pub unit: &'a str,
+}
+
+/// The components, row by row, of `text` as a value of `target`; it may use `symbols`, each with its
+/// components. Units must fit as in a start value: bare numbers carry the unit of `target`.
 ///
 /// # Errors
 /// What is wrong with the text, in words.
 pub fn evaluate(
     text: &str,
-    shape: Shape,
-    symbols: &[(&str, Shape, &[f64])],
+    target: Quantity,
+    symbols: &[(Quantity, &[f64])],
 ) -> Result<Vec<f64>, String> {
     let tokens = lex(text).map_err(|error| error.message)?;
     let expression = parse_expression(tokens).map_err(in_words)?;
-    let names: Vec<_> = symbols
-        .iter()
-        .map(|&(name, shape, _)| (spelled(name), shape))
-        .collect();
-    let model = check_value(&expression, &names, shape).map_err(in_words)?;
+    let declared = |quantity: &Quantity| declared(quantity).map_err(in_words);
+    let names: Result<Vec<_>, String> = symbols.iter().map(|(q, _)| declared(q)).collect();
+    let model = check_value(&expression, &declared(&target)?, &names?).map_err(in_words)?;
     let lowered = lower_continuous(&model).map_err(in_words)?;
     let inputs: Vec<f64> = symbols
         .iter()
-        .flat_map(|symbol| symbol.2)
+        .flat_map(|symbol| symbol.1)
         .copied()
         .collect();
     let values = lowered.dag.evaluate(|leaf| match leaf {
@@ -136,12 +147,24 @@ pub fn evaluate(
         .collect())
 }
 
-fn spelled(name: &str) -> Name {
-    Name {
+fn declared(quantity: &Quantity) -> Result<(Name, TypeExpr), Errors> {
+    let &Quantity { name, shape, unit } = quantity;
+    let range = Range::of(Span::call_site());
+    let unit = lex(unit).map_err(|error| {
+        let mut errors = Errors::default();
+        errors.push(range, error.message);
+        errors
+    })?;
+    let name = Name {
         ascii: ascii_spelling(name).unwrap_or_else(|| name.to_owned()),
         display: name.to_owned(),
-        range: Range::of(Span::call_site()),
-    }
+        range,
+    };
+    let ty = TypeExpr {
+        shape: Some((vec![shape.rows, shape.cols], None)),
+        unit: Some(parse_unit(unit)?),
+    };
+    Ok((name, ty))
 }
 
 /// Mistakes in a text of one line.

@@ -49,6 +49,14 @@ pub struct Diagnostic {
     pub help: Option<String>,
 }
 
+impl Diagnostic {
+    /// Line and column of its first character, for sorting.
+    pub fn place(&self) -> (usize, usize) {
+        let start = self.range.start.start();
+        (start.line, start.column)
+    }
+}
+
 /// The mistakes of one model, in the order they were found.
 #[derive(Clone, Debug, Default)]
 pub struct Errors {
@@ -91,10 +99,7 @@ impl Errors {
 
     /// The mistakes, in file order.
     pub fn into_sorted(mut self) -> Vec<Diagnostic> {
-        self.list.sort_by_key(|d| {
-            let start = d.range.start.start();
-            (start.line, start.column)
-        });
+        self.list.sort_by_key(Diagnostic::place);
         self.list
     }
 

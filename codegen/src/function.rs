@@ -102,6 +102,9 @@ pub const TABLE: &[(&str, Function, usize)] = &[
     ("inv", Function::Inv, 1),
 ];
 
+/// What the language leaves out: a Newton iteration needs derivatives everywhere.
+pub const NO_CONDITIONALS: &str = "the language has neither comparisons nor conditionals";
+
 impl Function {
     /// The function called `name`, if there is one.
     pub fn named(name: &str) -> Option<Function> {

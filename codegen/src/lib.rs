@@ -43,6 +43,7 @@ pub mod system;
 pub mod unit;
 
 pub use compile::Analysis;
+pub use compile::Quantity;
 pub use compile::analyse;
 pub use compile::compile;
 pub use compile::evaluate;

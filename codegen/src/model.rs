@@ -63,6 +63,8 @@ pub struct Variable {
     pub shape: Shape,
     /// Its unit, the same for every component.
     pub unit: Unit,
+    /// Its unit as its declaration writes it, or in base units: `J`, `kg*m^2`; `1` without one.
+    pub symbols: String,
     /// Its `///` lines.
     pub doc: Vec<String>,
     /// Position of its first component in the flat list of its kind.

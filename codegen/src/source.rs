@@ -4,6 +4,9 @@
 //! and rustc reads it; what this stage refuses beforehand is what rustc would choke on (bytes that are
 //! not UTF-8, brackets nested without end) or report less well.
 
+mod blocks;
+
+use blocks::Blocks;
 use proc_macro2::Delimiter;
 use proc_macro2::TokenStream;
 use proc_macro2::TokenTree;
@@ -118,6 +121,7 @@ fn not_utf8(bytes: &[u8], valid: usize) -> SourceError {
 /// Walks over the text outside comments and strings, keeping the brackets that are open.
 fn check_brackets(text: &str) -> Result<(), SourceError> {
     let mut open: Vec<(char, usize, usize)> = Vec::new();
+    let mut blocks = Blocks::default();
     let mut skip = Skip::Nothing;
     let mut skipped_from = (1, 1);
     let mut before = ' ';
@@ -130,9 +134,16 @@ fn check_brackets(text: &str) -> Result<(), SourceError> {
             skipped_from = (line, column);
         }
         if was == Skip::Nothing && skip == Skip::Nothing {
+            blocks.take(character, (line, column), &open);
             match character {
                 '(' | '[' | '{' => open.push((character, line, column)),
-                ')' | ']' | '}' => close(&mut open, character, line, column)?,
+                ')' | ']' | '}' => {
+                    let closed = close(&mut open, character, line, column);
+                    closed.map_err(|error| match &blocks.unopened {
+                        Some((keyword, place)) => unopened(keyword, *place),
+                        None => error,
+                    })?;
+                }
                 _ => {}
             }
             if open.len() > DEEPEST {
@@ -154,7 +165,8 @@ fn check_brackets(text: &str) -> Result<(), SourceError> {
         (Skip::String, _) => Some(("string".to_owned(), skipped_from)),
         (Skip::Block(_), _) => Some(("comment".to_owned(), skipped_from)),
         (Skip::Nothing | Skip::Line, Some(&(bracket, line, column))) => {
-            Some((format!("`{bracket}`"), (line, column)))
+            let place = blocks.unclosed.filter(|_| bracket == '{');
+            Some((format!("`{bracket}`"), place.unwrap_or((line, column))))
         }
         (Skip::Nothing | Skip::Line, None) => None,
     };
@@ -164,6 +176,13 @@ fn check_brackets(text: &str) -> Result<(), SourceError> {
             ..at(line, column, format!("this {what} is never closed"))
         })
     })
+}
+
+fn unopened(keyword: &str, (line, column): (usize, usize)) -> SourceError {
+    SourceError {
+        lexical: true,
+        ..at(line, column, format!("expected `{{` behind `{keyword}`"))
+    }
 }
 
 fn close(

@@ -49,7 +49,9 @@ pub fn has_units(description: &Description) -> bool {
         .iter()
         .chain(description.states)
         .chain(outputs);
-    variables.into_iter().any(|variable| variable.unit != "1")
+    variables
+        .into_iter()
+        .any(|variable| !variable.dimensionless)
 }
 
 /// 10ⁿ

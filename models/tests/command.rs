@@ -38,7 +38,15 @@ fn list_prints_json() {
 
 #[test]
 fn show_says_everything_about_a_model() {
-    let parts = ["parameters", "kg·m²", "Γ[2]", "form next", "form increment"];
+    let parts = [
+        "parameters",
+        "kg·m²",
+        "Γ[2]",
+        "form next",
+        "form increment",
+        " rad/s ",
+        "energy        J",
+    ];
     assert_shown("show planar_reduced", &parts);
     assert_shown("show planar_reduced", &["energy", "Eq. 50", "operations"]);
 }
@@ -92,8 +100,19 @@ fn mistakes_of_a_file_are_shown_in_it() {
     fs::write(folder.join("wrong.model"), text).unwrap();
     for verb in ["expand", "check"] {
         let outcome = residua_in(&folder, &format!("{verb} wrong.model"));
-        assert_refused(&outcome, 2, &["omga", "wrong.model:3:23", "^^^^"]);
+        let parts = [
+            "omga",
+            "wrong.model:3:23",
+            "^^^^",
+            "wrong.model: 1 mistake\n",
+        ];
+        assert_refused(&outcome, 2, &parts);
     }
+    let two = text.replace("= 0", "= 1 + [1, 2] + omg");
+    fs::write(folder.join("wrong.model"), two).unwrap();
+    let outcome = residua_in(&folder, "check wrong.model");
+    assert_eq!(outcome.stderr.matches("error:").count(), 3);
+    assert!(outcome.stderr.ends_with("wrong.model: 3 mistakes\n"));
 }
 
 #[test]
@@ -110,7 +129,10 @@ fn files_that_cannot_be_read_are_refused() {
 fn new_writes_a_sound_model_once() {
     let folder = folder("new");
     assert_eq!(residua_in(&folder, "new driven --dir .").code, 0);
-    assert_eq!(residua_in(&folder, "check driven.model").code, 0);
+    let checked = residua_in(&folder, "check driven.model");
+    assert_eq!(checked.code, 0);
+    let verdict = "no mistakes in names, shapes, units and structure";
+    assert!(checked.stdout.contains(verdict), "{}", checked.stdout);
     let text = fs::read_to_string(folder.join("driven.model")).unwrap();
     let again = residua_in(&folder, "new driven --dir .");
     assert_refused(&again, 2, &["exists already"]);

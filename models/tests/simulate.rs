@@ -62,7 +62,7 @@ fn start_expressions_know_the_parameters() {
 
 #[test]
 fn bad_input_is_one_clear_message() {
-    let cases: [(&str, &[&str]); 20] = [
+    let cases: [(&str, &[&str]); 24] = [
         ("--set mm=3", &["no parameter `mm`", "did you mean `m`"]),
         ("--set zzz=3", &["no parameter `zzz`"]),
         ("--start Γ.z=3", &["no such component", "Γ(1) to Γ(2)"]),
@@ -72,7 +72,14 @@ fn bad_input_is_one_clear_message() {
         ("--set m=NaN", &["m = NaN"]),
         ("--set m=sqrt(0-1)", &["the value is NaN"]),
         ("--set m", &["NAME=EXPR"]),
-        ("--set m=[1,2]", &["m = [1,2]"]),
+        ("--set m=[1,2]", &["m = [1,2]", "`m` is a scalar"]),
+        ("--set m=l", &["m = l", "`m` has the unit kg, found m"]),
+        ("--set l=0.5*l+g", &["adding m/s^2 to m"]),
+        ("--start ω=l", &["`ω` has the unit 1/s, found m"]),
+        (
+            "--start Γ(1)=sqrt(m)",
+            &["`Γ(1)` has the unit 1, found kg^(1/2)"],
+        ),
         ("--set m=(1", &["never closed"]),
         ("--step 0", &["the step is 0"]),
         ("--step -0.1", &["the step is -0.1"]),

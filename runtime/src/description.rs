@@ -32,8 +32,11 @@ pub struct Variable {
     pub rows: usize,
     /// Columns; 1 for scalars and vectors.
     pub cols: usize,
-    /// Unit in base SI symbols, `1` if dimensionless.
+    /// Unit as in the file, in ASCII: `rad/s`, `J`; in base SI symbols where the file leaves it open,
+    /// `1` without one.
     pub unit: &'static str,
+    /// The unit is a number, such as `1` or `rad`.
+    pub dimensionless: bool,
     /// Its doc lines.
     pub doc: &'static str,
 }

@@ -69,6 +69,7 @@ impl<'a> Advance<'a> {
             && list.len() == residual.len()
             && !list.is_empty()
             && !self.states.is_empty()
+            && !typing.symbols.any_contested()
         {
             self.check_residual(typing, residual, keyword);
         }
@@ -116,13 +117,19 @@ impl<'a> Advance<'a> {
         }
         let roots = residual.iter().flat_map(|e| [e.lhs, e.rhs]).collect();
         let contained = self.contained(typing, roots);
-        let complete = self.check_contained(typing, &contained);
-        for equation in residual {
+        let mut complete = self.check_contained(typing, &contained);
+        // Without any unknown, their number says it all.
+        let any_unknown = !self.unknowns.is_empty() || self.explicit.contains(&false);
+        for equation in residual.iter().filter(|_| any_unknown) {
             let contained = self.contained(typing, vec![equation.lhs, equation.rhs]);
             let solved = (0..self.states.len()).any(|i| contained.states[i] && !self.explicit[i]);
             if !solved && !contained.unknowns.contains(&true) {
+                complete = false;
                 let message = "no unknown in this equation";
-                let help = "x[k+1], Δx, x[k+1/2] and der(x) of a state are unknown";
+                let known = (0..self.states.len()).filter(|&i| contained.states[i]);
+                let help = self.known(known).unwrap_or_else(|| {
+                    "x[k+1], Δx, x[k+1/2] and der(x) of a state are unknown".to_owned()
+                });
                 typing.errors.push_with_help(equation.range, message, help);
             }
         }
@@ -180,12 +187,47 @@ impl<'a> Advance<'a> {
             .collect();
         let equations = counted(n_equations, "scalar equation");
         let message = format!("{equations} for {}", counted(n_unknowns, "scalar unknown"));
-        if list.is_empty() {
+        let unknowns = (!list.is_empty()).then(|| format!("the unknowns are {}", list.join(", ")));
+        let reason = if n_unknowns < n_equations {
+            self.known((0..self.states.len()).filter(|&i| self.explicit[i]))
+        } else {
+            self.unknown_through_update()
+        };
+        let help: Vec<_> = unknowns.into_iter().chain(reason).collect();
+        if help.is_empty() {
             typing.errors.push(keyword, message);
         } else {
-            let help = format!("the unknowns are {}", list.join(", "));
-            typing.errors.push_with_help(keyword, message, help);
+            typing
+                .errors
+                .push_with_help(keyword, message, help.join("; "));
         }
+    }
+
+    /// Why these explicit states are no unknowns.
+    fn known(&self, states: impl Iterator<Item = usize>) -> Option<String> {
+        let names: Vec<_> = states
+            .map(|i| self.states[i].name.display.as_str())
+            .collect();
+        match names.as_slice() {
+            [] => None,
+            [x] => Some(format!(
+                "{x} is no unknown, as `update` gives it without {x}[k+1]"
+            )),
+            [x, ..] => Some(format!(
+                "{} are no unknowns, as `update` gives them without {x}[k+1] and the like",
+                names.join(", ")
+            )),
+        }
+    }
+
+    /// Why a state is unknown although `update` gives it.
+    fn unknown_through_update(&self) -> Option<String> {
+        let is_such = |&i: &usize| self.update[i].is_some() && !self.explicit[i];
+        let state = (0..self.states.len()).find(is_such)?;
+        let x = &self.states[state].name.display;
+        Some(format!(
+            "{x} is one, as its own update contains {x}[k+1] or Δ{x}"
+        ))
     }
 
     /// What `roots` contain.

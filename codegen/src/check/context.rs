@@ -160,7 +160,8 @@ fn abbreviation<'a>(kind: &ExprKind, symbols: &Symbols<'a>) -> Option<(&'a Name,
         return None;
     };
     let symbol = &symbols.list[symbols.find(name)?];
-    let value = symbol.value.filter(|_| symbol.kind == Kind::Let)?;
+    let is_let = symbol.kind == Kind::Let && !symbol.contested;
+    let value = symbol.value.filter(|_| is_let)?;
     Some((symbol.name, value))
 }
 
@@ -180,6 +181,9 @@ fn mention(kind: &ExprKind, symbols: &Symbols) -> Option<Mention> {
         | ExprKind::Stack(_)
         | ExprKind::Blocks(_) => return None,
     };
+    if symbols.is_contested(name) {
+        return None;
+    }
     match Builtin::named(&name.ascii) {
         Some(Builtin::StepSize) => return Some(Mention::StepSize),
         Some(Builtin::Time) => return Some(Mention::Time(level)),

@@ -6,6 +6,7 @@
 use super::symbols::Kind;
 use super::symbols::Symbol;
 use super::symbols::Symbols;
+use super::types::ComponentUnit;
 use super::types::Type;
 use super::typing::Meaning;
 use super::typing::Typing;
@@ -20,16 +21,16 @@ use crate::unit;
 use crate::unit::Unit;
 use num_rational::Ratio;
 
-/// The declared unit of each symbol, where one is written.
-pub(super) fn units(symbols: &Symbols, errors: &mut Errors) -> Vec<Option<Unit>> {
+/// The declared unit of each symbol, where one is written; in doubt after a complaint.
+pub(super) fn units(symbols: &Symbols, errors: &mut Errors) -> Vec<Option<ComponentUnit>> {
     let written = |symbol: &Symbol| symbol.ty.and_then(|ty| ty.unit.as_ref()).cloned();
     let list = symbols.list.iter().map(written);
     list.map(|unit| unit.map(|unit| evaluate(&unit, errors)))
         .collect()
 }
 
-/// The value of a unit as written; dimensionless after a complaint.
-fn evaluate(written: &UnitExpr, errors: &mut Errors) -> Unit {
+/// The value of a unit as written; none after a complaint.
+fn evaluate(written: &UnitExpr, errors: &mut Errors) -> ComponentUnit {
     let mut product = Some(Unit::ONE);
     for (symbol, (p, q)) in &written.factors {
         let shown = &symbol.display;
@@ -45,15 +46,15 @@ fn evaluate(written: &UnitExpr, errors: &mut Errors) -> Unit {
                 ),
             };
             errors.push_with_help(symbol.range, message, help);
-            return Unit::ONE;
+            return None;
         };
         let power = unit.power(Ratio::new(*p, *q));
         product = product.and_then(|product| product.times(power?));
     }
-    product.unwrap_or_else(|| {
+    if product.is_none() {
         errors.push(written.range, "the exponent of a unit is too large here");
-        Unit::ONE
-    })
+    }
+    product
 }
 
 /// What to write for an unknown unit.
@@ -82,30 +83,46 @@ pub(super) fn written_shape(ty: &TypeExpr) -> Option<Shape> {
 
 impl Typing<'_> {
     /// Gives every parameter, state, unknown and `let` its meaning.
-    pub(super) fn define(&mut self, units: &[Option<Unit>]) {
+    pub(super) fn define(&mut self, units: &[Option<ComponentUnit>]) {
         let symbols = self.symbols;
-        for (index, symbol) in symbols.list.iter().enumerate() {
+        let unit = |index: usize| units[index].unwrap_or(Some(Unit::ONE));
+        let declared = symbols.list.iter().enumerate();
+        for (index, symbol) in declared.filter(|(_, symbol)| !symbol.contested) {
             let shape = match symbol.kind {
                 Kind::State => symbol.ty.and_then(written_shape).or(Some(Shape::SCALAR)),
                 Kind::Parameter | Kind::Unknown => symbol.ty.and_then(written_shape),
                 Kind::Let | Kind::Output(_) => None,
             };
             if let Some(shape) = shape {
-                let unit = units[index].unwrap_or(Unit::ONE);
-                self.meanings[index] = Meaning::Variable(Type::uniform(shape, Some(unit)));
+                self.meanings[index] = Meaning::Variable(Type::uniform(shape, unit(index)));
             }
         }
         for index in self.order() {
-            let Some(value) = symbols.list[index].value else {
+            let symbol = &symbols.list[index];
+            let Some(value) = symbol.value else {
                 continue;
             };
             let value = self.expression(value);
-            let unit = units[index].unwrap_or(Unit::ONE);
-            self.meanings[index] = match (symbols.list[index].kind, self.ty(value)) {
-                (_, Type::Poison) => Meaning::Unclear,
-                (Kind::Let, _) => Meaning::Value(value),
-                (_, Type::Matrix(shape, _)) => Meaning::Variable(Type::uniform(*shape, Some(unit))),
-                (_, Type::Multiple(_)) => {
+            if symbol.contested {
+                continue;
+            }
+            let is_let = symbol.kind == Kind::Let;
+            self.meanings[index] = match (self.ty(value), symbol.ty.and_then(written_shape)) {
+                // Which of the two is meant cannot be told.
+                (_, Some(shape)) if !self.takes_shape(value, shape) => {
+                    self.wrong_shape(value, symbol.name, shape);
+                    Meaning::Unclear
+                }
+                (_, Some(_)) => continue,
+                (Type::Poison, None) => Meaning::Unclear,
+                (_, None) if is_let => {
+                    self.lets.entry(value).or_insert(index);
+                    Meaning::Value(value)
+                }
+                (Type::Matrix(shape, _), None) => {
+                    Meaning::Variable(Type::uniform(*shape, unit(index)))
+                }
+                (Type::Multiple(_), None) => {
                     self.sizeless(index);
                     Meaning::Unclear
                 }
@@ -125,11 +142,11 @@ impl Typing<'_> {
     fn order(&mut self) -> Vec<usize> {
         let symbols = self.symbols;
         let n = symbols.list.len();
-        let is_open = |i: usize| {
-            let kind = symbols.list[i].kind;
-            matches!(self.meanings[i], Meaning::Unclear) && !matches!(kind, Kind::Output(_))
+        let is_open = |symbol: &Symbol| match symbol.kind {
+            Kind::Parameter | Kind::Unknown | Kind::Let => true,
+            Kind::State | Kind::Output(_) => false,
         };
-        let open: Vec<bool> = (0..n).map(is_open).collect();
+        let open: Vec<bool> = symbols.list.iter().map(is_open).collect();
         let needs: Vec<Vec<usize>> = (0..n)
             .map(|i| match symbols.list[i].value.filter(|_| open[i]) {
                 Some(value) => mentioned(self.source, symbols, value),

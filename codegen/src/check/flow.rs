@@ -23,7 +23,7 @@ impl Typing<'_> {
         let flow = self.equations(list);
         let roots = flow.iter().flat_map(|e| [e.lhs, e.rhs]).collect();
         let reached = self.reached(roots);
-        if flow.len() == list.len() {
+        if flow.len() == list.len() && !self.symbols.any_contested() {
             self.check_rates(&flow, &reached, states, keyword);
         }
         flow

@@ -129,7 +129,7 @@ impl Typing<'_> {
     fn wrong<T>(&mut self, call: Call, id: ExprId, expected: &str) -> Option<T> {
         let (name, found) = (call.function.name(), self.ty(id).noun());
         let message = format!("`{name}` takes {expected}, found {found}");
-        self.errors.push(self.range(id), message);
+        self.fail_with(id, call.range, message, None);
         None
     }
 
@@ -151,7 +151,7 @@ impl Typing<'_> {
         if let Some(unit) = odd {
             let name = call.function.name();
             let message = format!("`{name}` takes a number without a unit, found {unit}");
-            self.unit_error(self.range(id), message);
+            self.unit_error(self.place(id, call.range), message);
         }
     }
 

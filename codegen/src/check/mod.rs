@@ -7,6 +7,7 @@
 
 mod advance;
 mod blocks;
+mod complaints;
 mod components;
 mod context;
 mod definitions;
@@ -40,7 +41,9 @@ use statements::Statements;
 use symbols::Kind;
 use symbols::Symbol;
 use symbols::Symbols;
+use types::ComponentUnit;
 use typing::Typing;
+use values::Strictness;
 
 /// Checks a model.
 ///
@@ -61,7 +64,7 @@ pub fn check(ast: &Ast) -> Result<Model, Errors> {
     let variables = typing.states();
     let start = typing.start(&variables, statements.start);
     let update = typing.update(&variables, statements.update);
-    let outputs = typing.outputs(&units);
+    let outputs = typing.outputs(&units, Strictness::Strict);
     let flow = typing.flow(statements.flow, &variables);
     let residual = typing.residual(statements.residual);
     let claims = typing.claims(&statements.claims);
@@ -85,22 +88,24 @@ pub fn check(ast: &Ast) -> Result<Model, Errors> {
         forms: forms(&statements, &solved),
         unknowns,
         solved,
-        exprs: typing.exprs,
+        exprs: std::mem::take(&mut typing.exprs),
         residual,
         flow,
         outputs,
         claims,
     };
-    typing.errors.or(model)
+    typing.into_errors().or(model)
 }
 
 /// The unit of t and h: seconds, unless the model is dimensionless throughout.
-fn time_unit(units: &[Option<Unit>]) -> Unit {
-    let dimensionless = units.iter().flatten().all(|unit| unit.is_one());
-    if dimensionless {
-        Unit::ONE
+fn time_unit(units: &[Option<ComponentUnit>]) -> ComponentUnit {
+    let written = || units.iter().flatten();
+    if written().flatten().any(|unit| !unit.is_one()) {
+        Some(Unit::SECOND)
+    } else if written().any(Option::is_none) {
+        None
     } else {
-        Unit::SECOND
+        Some(Unit::ONE)
     }
 }
 

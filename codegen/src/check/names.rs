@@ -10,6 +10,7 @@ use crate::ast::Level;
 use crate::ast::Name;
 use crate::diagnostic::Range;
 use crate::function::Function;
+use crate::function::NO_CONDITIONALS;
 use crate::function::TABLE;
 use crate::model::Op;
 use crate::unit::Unit;
@@ -31,11 +32,26 @@ const ALIASES: &[(&str, &str)] = &[
     ("expm", "exp(A)"),
 ];
 
+/// Functions that decide between values, and what to write for those that can be had without.
+const CONDITIONALS: &[(&str, &str)] = &[
+    ("if", ""),
+    ("ifelse", ""),
+    ("where", ""),
+    ("select", ""),
+    ("piecewise", ""),
+    ("heaviside", "; heaviside(x) is (1 + sign(x))/2"),
+    ("min", "; min(a, b) is (a + b - abs(a - b))/2"),
+    ("max", "; max(a, b) is (a + b + abs(a - b))/2"),
+];
+
 impl Typing<'_> {
     /// `x` or `x[k+1]`.
     pub(super) fn name(&mut self, name: &Name, level: Option<Level>, range: Range) -> ExprId {
         if level == Some(Level::Previous) {
             return self.fail(range, "two-step schemes are not supported yet");
+        }
+        if self.symbols.is_contested(name) {
+            return self.poison(range);
         }
         if let Some(builtin) = Builtin::named(&name.ascii) {
             return self.builtin(builtin, name, level, range);
@@ -80,7 +96,7 @@ impl Typing<'_> {
             let message = format!("`{shown}` is {}, which has no time level", builtin.noun());
             return self.fail(range, message);
         }
-        let second = Some(self.second);
+        let second = self.second;
         match builtin {
             Builtin::Pi => self.push(Op::Pi, Type::scalar(Some(Unit::ONE)), range),
             Builtin::Identity => self.push(Op::Identity, Type::Multiple(Some(Unit::ONE)), range),
@@ -113,7 +129,7 @@ impl Typing<'_> {
         match self.state("der belongs to a state", name, range) {
             Ok((index, ty)) => {
                 let second = self.second;
-                let ty = ty.map(|unit| unit.and_then(|u| u.over(second)));
+                let ty = ty.map(|unit| unit.and_then(|u| u.over(second?)));
                 self.push(Op::Rate(index), ty, range)
             }
             Err(poison) => poison,
@@ -127,6 +143,9 @@ impl Typing<'_> {
         name: &Name,
         range: Range,
     ) -> Result<(usize, Type), ExprId> {
+        if self.symbols.is_contested(name) {
+            return Err(self.poison(range));
+        }
         let shown = &name.display;
         let noun = match (Builtin::named(&name.ascii), self.symbols.find(name)) {
             (Some(builtin), _) => builtin.noun(),
@@ -166,10 +185,8 @@ impl Typing<'_> {
             return self.fail_with_help(range, message, format!("write {}(…)", function.name()));
         }
         let message = format!("unknown name `{shown}`");
-        match self.help_for(name) {
-            Some(help) => self.fail_with_help(range, message, help),
-            None => self.fail(range, message),
-        }
+        let help = self.help_for(name);
+        self.fail_once(name.ascii.clone(), range, message, help)
     }
 
     fn help_for(&self, name: &Name) -> Option<String> {
@@ -177,6 +194,7 @@ impl Typing<'_> {
             "e1" => return Some("write `let e1 = [1, 0, 0];`, or [1, 0] in the plane".to_owned()),
             "e2" => return Some("write `let e2 = [0, 1, 0];`, or [0, 1] in the plane".to_owned()),
             "e3" => return Some("write `let e3 = [0, 0, 1];`".to_owned()),
+            "e" => return Some("write exp(x) for e^x".to_owned()),
             "T" => return Some("write x.T for the transpose of x".to_owned()),
             _ => {}
         }
@@ -194,16 +212,20 @@ impl Typing<'_> {
     pub(super) fn unknown_function(&mut self, name: &Name, range: Range) -> ExprId {
         let message = format!("unknown function `{}`", name.display);
         let alias = ALIASES.iter().find(|row| row.0 == name.ascii);
+        let key = format!("{}()", name.ascii);
         if let Some((_, usage)) = alias {
-            return self.fail_with_help(range, message, format!("write {usage}"));
+            return self.fail_once(key, range, message, Some(format!("write {usage}")));
+        }
+        let conditional = CONDITIONALS.iter().find(|row| row.0 == name.ascii);
+        if let Some((_, instead)) = conditional {
+            let help = format!("{NO_CONDITIONALS}{instead}");
+            return self.fail_once(key, range, message, Some(help));
         }
         let functions = TABLE.iter().map(|row| row.0);
         let close = |candidate: &str| strsim::damerau_levenshtein(candidate, &name.ascii) <= 1;
         let similar = functions.into_iter().find(|f| f.len() > 1 && close(f));
         let similar = similar.or_else(|| self.symbols.similar(name));
-        match similar.map(|similar| format!("did you mean `{similar}`?")) {
-            Some(help) => self.fail_with_help(range, message, help),
-            None => self.fail(range, message),
-        }
+        let help = similar.map(|similar| format!("did you mean `{similar}`?"));
+        self.fail_once(key, range, message, help)
     }
 }

@@ -70,12 +70,11 @@ impl Typing<'_> {
         let Some((shape, left, right)) = self.align(a, b) else {
             let (added, to) = (self.ty(b).noun(), self.ty(a).noun());
             let message = format!("{verb} {added} {link} {to}");
-            return match self.identity_help(a, b) {
-                Some(help) => self.fail_with_help(self.range(b), message, help),
-                None => self.fail(self.range(b), message),
-            };
+            let help = self.identity_help(a, b);
+            let operand = if self.is_abbreviation(a) { a } else { b };
+            return self.fail_with(operand, range, message, help.as_deref());
         };
-        let at = self.range(b);
+        let at = self.place(b, range);
         let units = self.equal_units(at, shape, &left, &right, |position, left, right| {
             format!("{verb} {right} {link} {left}{position}")
         });
@@ -197,13 +196,18 @@ impl Typing<'_> {
                 let message = format!("multiplying {} by {}", left.noun(), right.noun());
                 let vectors = left.shape() == right.shape();
                 let is_vector = left.shape().is_some_and(|s| s.cols == 1);
-                return if vectors && is_vector {
+                let (message, help) = if vectors && is_vector {
                     let help = "write a.T*b for the scalar product, a*b.T for the matrix";
-                    self.fail_with_help(range, message, help)
+                    (message, Some(help))
                 } else {
                     let (n, m) = (inner(left.shape(), false), inner(right.shape(), true));
-                    let message = format!("{message}: {n} columns meet {m} rows");
-                    self.fail(range, message)
+                    (format!("{message}: {n} columns meet {m} rows"), None)
+                };
+                let operand = [a, b].into_iter().find(|&id| self.is_abbreviation(id));
+                return match (operand, help) {
+                    (Some(operand), _) => self.fail_with(operand, range, message, help),
+                    (None, Some(help)) => self.fail_with_help(range, message, help),
+                    (None, None) => self.fail(range, message),
                 };
             }
         };

@@ -30,9 +30,9 @@ const ZERO: ExprId = ExprId(0);
 /// and stays so. Code that names the variables of a model with mistakes compiles with this one.
 pub fn stand_in(ast: &Ast) -> Model {
     let mut ignored = Errors::default();
-    let symbols = Symbols::collect(ast, &mut ignored);
+    let symbols = Symbols::collect(ast, &mut ignored).settled();
     let units = definitions::units(&symbols, &mut ignored);
-    let mut typing = Typing::new(&ast.exprs, &symbols, Unit::ONE, ignored);
+    let mut typing = Typing::new(&ast.exprs, &symbols, Some(Unit::ONE), ignored);
     typing.define(&units);
     let parameters = typing.variables(Kind::Parameter).into_iter();
     let parameters = parameters.map(|(_, variable)| Parameter {
@@ -96,6 +96,7 @@ fn outputs(typing: &mut Typing) -> Vec<Output> {
             name: symbol.name.clone(),
             shape,
             unit: Unit::ONE,
+            symbols: "1".to_owned(),
             doc: Vec::new(),
             offset,
         };

@@ -103,9 +103,11 @@ pub(super) struct Symbol<'a> {
     pub(super) ty: Option<&'a TypeExpr>,
     /// Default, first guess or value; a state has none.
     pub(super) value: Option<ExprId>,
+    /// The name has another meaning as well, which is complained about; nothing is known of it.
+    pub(super) contested: bool,
 }
 
-/// All declarations in file order, duplicates left out.
+/// All declarations in file order.
 #[derive(Debug)]
 pub(super) struct Symbols<'a> {
     pub(super) list: Vec<Symbol<'a>>,
@@ -122,24 +124,57 @@ impl<'a> Symbols<'a> {
         for mut symbol in ast.items.iter().filter_map(declaration) {
             let name = symbol.name;
             complain_if_reserved(symbol.kind, name, errors);
-            if Builtin::named(&name.ascii).is_some() {
-                continue;
-            }
-            if let Some(&first) = symbols.by_name.get(name.ascii.as_str()) {
-                let first: &Symbol = &symbols.list[first];
-                errors.push(name.range, duplicate(name, first));
-                continue;
+            symbol.contested = Builtin::named(&name.ascii).is_some();
+            let position = symbols.list.len();
+            let first = *symbols.by_name.entry(&name.ascii).or_insert(position);
+            if first != position {
+                errors.push(name.range, duplicate(name, &symbols.list[first]));
+                // No expression names an output, so its name is in doubt only where it was first.
+                if matches!(symbol.kind, Kind::Output(_)) {
+                    continue;
+                }
+                symbol.contested = true;
+                symbols.list[first].contested = true;
             }
             symbol.index = symbols.of_kind(symbol.kind).count();
-            symbols.by_name.insert(&name.ascii, symbols.list.len());
             symbols.list.push(symbol);
         }
         symbols
     }
 
+    /// The first declaration of each name that is not reserved, none of them contested any more.
+    pub(super) fn settled(self) -> Self {
+        let mut settled = Symbols {
+            list: Vec::new(),
+            by_name: BTreeMap::new(),
+        };
+        for symbol in self.list {
+            let ascii = symbol.name.ascii.as_str();
+            if Builtin::named(ascii).is_none() && !settled.by_name.contains_key(ascii) {
+                settled.by_name.insert(ascii, settled.list.len());
+                settled.list.push(Symbol {
+                    index: settled.of_kind(symbol.kind).count(),
+                    contested: false,
+                    ..symbol
+                });
+            }
+        }
+        settled
+    }
+
     /// Position in the list of the declaration of `name`.
     pub(super) fn find(&self, name: &Name) -> Option<usize> {
         self.by_name.get(name.ascii.as_str()).copied()
+    }
+
+    /// True if `name` is declared with a meaning that is in doubt.
+    pub(super) fn is_contested(&self, name: &Name) -> bool {
+        self.find(name).is_some_and(|i| self.list[i].contested)
+    }
+
+    /// True if the meaning of some name is in doubt.
+    pub(super) fn any_contested(&self) -> bool {
+        self.list.iter().any(|symbol| symbol.contested)
     }
 
     /// The declarations of one kind, in file order, with their positions in the list.
@@ -166,13 +201,26 @@ impl<'a> Symbols<'a> {
             let distance = strsim::damerau_levenshtein(candidate, &name.ascii);
             (shortest >= SHORTEST_GUESSED && distance <= 1 + shortest / 6).then_some(distance)
         };
-        self.list
+        let usable = self
+            .list
             .iter()
             .filter(|symbol| !matches!(symbol.kind, Kind::Output(_)))
-            .filter_map(|symbol| Some((distance(&symbol.name.ascii)?, &symbol.name.display)))
+            .map(|symbol| symbol.name);
+        let nearest = usable
+            .clone()
+            .filter_map(|candidate| Some((distance(&candidate.ascii)?, candidate)))
             .min_by_key(|(distance, _)| *distance)
-            .map(|(_, display)| display.as_str())
+            .map(|(_, candidate)| candidate);
+        // Short names are guessed where only one comes near.
+        let mut near = usable.filter(|candidate| is_near(&candidate.ascii, &name.ascii));
+        let only = near.next().filter(|_| near.next().is_none());
+        nearest.or(only).map(|candidate| candidate.display.as_str())
     }
+}
+
+/// True for short names that differ in one character behind the first: `b` and `bb`, `m1` and `m2`.
+fn is_near(a: &str, b: &str) -> bool {
+    a.chars().next() == b.chars().next() && strsim::damerau_levenshtein(a, b) == 1
 }
 
 fn duplicate(name: &Name, first: &Symbol) -> String {
@@ -224,6 +272,7 @@ fn declaration(item: &Item) -> Option<Symbol<'_>> {
         doc,
         ty,
         value,
+        contested: false,
     })
 }
 

@@ -3,6 +3,7 @@
 //! [`Typing::expression`] turns an expression of the file into typed ones, operands first, in loops
 //! over flat lists. Each expression is typed once: a `let` used twice is one expression.
 
+use super::complaints::Repeated;
 use super::symbols::Symbols;
 use super::types::ComponentUnit;
 use super::types::Type;
@@ -18,6 +19,7 @@ use num_rational::BigRational;
 use num_rational::Ratio;
 use num_traits::ToPrimitive;
 use num_traits::Zero;
+use std::collections::BTreeMap;
 
 /// Most scalar operations in one model, counted before anything is simplified. A 3D pendulum has some
 /// thousands; the bound keeps a slip of the pen from filling the memory.
@@ -62,19 +64,22 @@ pub(super) struct Typing<'a> {
     /// The typed expression of each of `source`.
     typed: Vec<Option<ExprId>>,
     /// Unit of t and h.
-    pub(super) second: Unit,
+    pub(super) second: ComponentUnit,
     /// Units are not compared, as inside claims.
     pub(super) lenient: bool,
     /// A unit got an exponent that is too large.
     out_of_bounds: bool,
     operations: usize,
+    pub(super) repeated: BTreeMap<String, Repeated>,
+    /// The `let` that has a value.
+    pub(super) lets: BTreeMap<ExprId, usize>,
 }
 
 impl<'a> Typing<'a> {
     pub(super) fn new(
         source: &'a [ast::Expr],
         symbols: &'a Symbols<'a>,
-        second: Unit,
+        second: ComponentUnit,
         errors: Errors,
     ) -> Self {
         Self {
@@ -89,6 +94,8 @@ impl<'a> Typing<'a> {
             lenient: false,
             out_of_bounds: false,
             operations: 0,
+            repeated: BTreeMap::new(),
+            lets: BTreeMap::new(),
         }
     }
 
@@ -185,35 +192,6 @@ impl<'a> Typing<'a> {
         });
         self.facts.push(fact);
         id
-    }
-
-    /// Adds an expression in doubt; the mistake is already reported.
-    pub(super) fn poison(&mut self, range: Range) -> ExprId {
-        self.push(Op::Number(BigRational::zero()), Type::Poison, range)
-    }
-
-    /// Reports a mistake and adds an expression in doubt.
-    pub(super) fn fail(&mut self, range: Range, message: impl Into<String>) -> ExprId {
-        self.errors.push(range, message);
-        self.poison(range)
-    }
-
-    /// Reports a mistake with its cure and adds an expression in doubt.
-    pub(super) fn fail_with_help(
-        &mut self,
-        range: Range,
-        message: impl Into<String>,
-        help: impl Into<String>,
-    ) -> ExprId {
-        self.errors.push_with_help(range, message, help);
-        self.poison(range)
-    }
-
-    /// Reports a mistake in units, unless they are not compared here.
-    pub(super) fn unit_error(&mut self, range: Range, message: String) {
-        if !self.lenient {
-            self.errors.push(range, message);
-        }
     }
 
     /// Counts scalar operations; complains once when there are too many.

@@ -2,9 +2,11 @@
 
 use super::context;
 use super::context::Context;
+use super::definitions;
 use super::symbols::Kind;
 use super::symbols::Symbols;
 use super::typing::Typing;
+use super::values::Strictness;
 use crate::ast::Ast;
 use crate::ast::Declaration;
 use crate::ast::Expr;
@@ -18,27 +20,26 @@ use crate::ast::OutputKind;
 use crate::ast::TypeExpr;
 use crate::diagnostic::Errors;
 use crate::model::Model;
-use crate::model::Shape;
 use crate::unit::Unit;
 use num_rational::BigRational;
 use num_traits::Zero;
 
-/// Checks `value`, which is to have `shape` and may use `parameters`, given by name and shape. It is the
-/// one output of the model that comes back, the parameters of which have no meaningful defaults. Units
-/// are not compared: a number on the command line has none.
+/// Checks `value` of `target`, which may use `parameters`. It is the one output of the model that comes
+/// back, the parameters of which have no meaningful defaults. As with a start value, bare numbers carry
+/// the unit of the target.
 ///
 /// # Errors
 /// As [`super::check`].
 pub fn check_value(
     value: &Expression,
-    parameters: &[(Name, Shape)],
-    shape: Shape,
+    target: &(Name, TypeExpr),
+    parameters: &[(Name, TypeExpr)],
 ) -> Result<Model, Errors> {
-    let ast = file(value, parameters, shape);
+    let ast = file(value, target, parameters);
     let mut errors = Errors::default();
     let symbols = Symbols::collect(&ast, &mut errors);
-    let units = vec![None; symbols.list.len()];
-    let mut typing = Typing::new(&ast.exprs, &symbols, Unit::ONE, errors);
+    let units = definitions::units(&symbols, &mut errors);
+    let mut typing = Typing::new(&ast.exprs, &symbols, Some(Unit::ONE), errors);
     let output = Kind::Output(OutputKind::Observable);
     context::check_values(&mut typing, output, Context::Value);
     typing.define(&units);
@@ -51,16 +52,16 @@ pub fn check_value(
         solved: Vec::new(),
         residual: Vec::new(),
         flow: Vec::new(),
-        outputs: typing.outputs(&units),
-        exprs: typing.exprs,
+        outputs: typing.outputs(&units, Strictness::Lax),
+        exprs: std::mem::take(&mut typing.exprs),
         forms: Vec::new(),
         claims: Vec::new(),
     };
-    typing.errors.or(model)
+    typing.into_errors().or(model)
 }
 
-/// `param p = 0; observe … = value;`
-fn file(value: &Expression, parameters: &[(Name, Shape)], shape: Shape) -> Ast {
+/// `param p = 0; observe target = value;`
+fn file(value: &Expression, target: &(Name, TypeExpr), parameters: &[(Name, TypeExpr)]) -> Ast {
     let range = value.exprs[value.root.index()].range;
     let mut exprs = value.exprs.clone();
     let zero = ExprId(exprs.len() as u32);
@@ -68,28 +69,24 @@ fn file(value: &Expression, parameters: &[(Name, Shape)], shape: Shape) -> Ast {
         kind: ExprKind::Number(BigRational::zero()),
         range,
     });
-    let ty = |shape: Shape| TypeExpr {
-        shape: Some((vec![shape.rows, shape.cols], None)),
-        unit: None,
-    };
-    let parameters = parameters.iter().map(|(name, shape)| {
+    let parameters = parameters.iter().map(|(name, ty)| {
         Item::Parameter(Declaration {
             doc: Vec::new(),
             name: name.clone(),
-            ty: ty(*shape),
+            ty: ty.clone(),
             value: Some(zero),
         })
     });
-    // No parameter can have the empty name.
+    let (name, ty) = target.clone();
+    // The target may be a parameter itself, and no parameter can have the empty name.
     let output = Item::Output(Output {
         doc: Vec::new(),
         kind: OutputKind::Observable,
         name: Name {
             ascii: String::new(),
-            display: "value".to_owned(),
-            range,
+            ..name
         },
-        ty: ty(shape),
+        ty,
         value: value.root,
     });
     Ast {

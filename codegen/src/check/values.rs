@@ -3,6 +3,8 @@
 use super::definitions::written_shape;
 use super::statements::Block;
 use super::symbols::Kind;
+use super::symbols::Symbol;
+use super::types::ComponentUnit;
 use super::types::Type;
 use super::typing::Meaning;
 use super::typing::Typing;
@@ -19,7 +21,7 @@ use crate::unit::Unit;
 
 /// How strictly the unit of a value is compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Strictness {
+pub(super) enum Strictness {
     /// Always.
     Strict,
     /// Only if the value contains a name with a unit: bare numbers carry the declared unit.
@@ -71,7 +73,7 @@ impl Typing<'_> {
         for (state, _) in states
             .iter()
             .zip(&values)
-            .filter(|(_, value)| value.is_none())
+            .filter(|(state, value)| value.is_none() && !self.symbols.is_contested(&state.name))
         {
             let name = &state.name.display;
             let message = format!("the state `{name}` has no start value");
@@ -92,7 +94,11 @@ impl Typing<'_> {
     }
 
     /// Invariants and observables. What their types leave out, their values decide.
-    pub(super) fn outputs(&mut self, units: &[Option<Unit>]) -> Vec<Output> {
+    pub(super) fn outputs(
+        &mut self,
+        units: &[Option<ComponentUnit>],
+        strictness: Strictness,
+    ) -> Vec<Output> {
         let symbols = self.symbols;
         let mut outputs: Vec<Output> = Vec::new();
         for (index, symbol) in symbols.of_kind(Kind::Output(OutputKind::Observable)) {
@@ -110,7 +116,8 @@ impl Typing<'_> {
             let mut variable = Variable {
                 name: symbol.name.clone(),
                 shape,
-                unit: units[index].unwrap_or(Unit::ONE),
+                unit: units[index].flatten().unwrap_or(Unit::ONE),
+                symbols: written_unit(symbol),
                 doc: symbol.doc.to_vec(),
                 offset: outputs.last().map_or(0, |last| end(&last.variable)),
             };
@@ -119,10 +126,13 @@ impl Typing<'_> {
                 let range = self.range(value);
                 let units = self.spread(&ty, shape);
                 variable.unit = self.one_unit(&units, range, &what).unwrap_or(Unit::ONE);
+                variable.symbols = variable.unit.to_string();
             }
             self.conform_shape(value, &variable);
-            if units[index].is_some() {
-                self.conform_unit(value, &variable);
+            if let Some(unit) = units[index]
+                && self.compares(value, strictness)
+            {
+                self.conform_unit(value, &variable, unit);
             }
             outputs.push(Output {
                 variable,
@@ -139,12 +149,16 @@ impl Typing<'_> {
         for (index, symbol) in self.symbols.of_kind(kind) {
             let (shape, unit) = match &self.meanings[index] {
                 Meaning::Variable(Type::Matrix(shape, units)) => (*shape, units[0]),
-                _ => (Shape::SCALAR, None),
+                _ => {
+                    let written = symbol.ty.and_then(written_shape);
+                    (written.unwrap_or(Shape::SCALAR), None)
+                }
             };
             let variable = Variable {
                 name: symbol.name.clone(),
                 shape,
                 unit: unit.unwrap_or(Unit::ONE),
+                symbols: written_unit(symbol),
                 doc: symbol.doc.to_vec(),
                 offset: list.last().map_or(0, |(_, last)| end(last)),
             };
@@ -183,40 +197,57 @@ impl Typing<'_> {
     /// Complains unless `value` can be the value of `variable`.
     fn conform(&mut self, value: ExprId, variable: &Variable, strictness: Strictness) {
         self.conform_shape(value, variable);
-        if strictness == Strictness::Strict || self.fact(value).dimensioned {
-            self.conform_unit(value, variable);
+        if self.compares(value, strictness) {
+            let unit = match self.meaning(&variable.name) {
+                Some(Meaning::Variable(Type::Matrix(_, units))) => units[0],
+                _ => None,
+            };
+            self.conform_unit(value, variable, unit);
         }
+    }
+
+    /// True if the unit of `value` is compared with the declared one.
+    fn compares(&self, value: ExprId, strictness: Strictness) -> bool {
+        strictness == Strictness::Strict || self.fact(value).dimensioned
     }
 
     fn conform_shape(&mut self, value: ExprId, variable: &Variable) {
-        let shape = variable.shape;
-        let fits = match self.ty(value) {
-            Type::Poison => true,
-            Type::Multiple(_) if shape.is_scalar() => self.is_sizeless(&variable.name),
-            Type::Multiple(_) => shape.rows == shape.cols,
-            Type::Matrix(own, _) => *own == shape || self.is_zero(value),
-        };
-        if !fits {
-            let (shown, found) = (&variable.name.display, self.ty(value).noun());
-            let message = format!("`{shown}` is a {shape}, found {found}");
-            self.errors.push(self.range(value), message);
+        let in_doubt = matches!(self.meaning(&variable.name), Some(Meaning::Unclear));
+        if !in_doubt && !self.takes_shape(value, variable.shape) {
+            self.wrong_shape(value, &variable.name, variable.shape);
         }
     }
 
-    /// True for a name whose shape could not be told, which is already reported.
-    fn is_sizeless(&self, name: &Name) -> bool {
-        let meaning = self.symbols.find(name).map(|i| &self.meanings[i]);
-        matches!(meaning, Some(Meaning::Unclear))
+    /// What a name stands for in expressions; an output stands for nothing.
+    fn meaning(&self, name: &Name) -> Option<&Meaning> {
+        let index = self.symbols.find(name)?;
+        let is_output = matches!(self.symbols.list[index].kind, Kind::Output(_));
+        (!is_output).then(|| &self.meanings[index])
     }
 
-    fn conform_unit(&mut self, value: ExprId, variable: &Variable) {
-        let Variable { shape, unit, .. } = variable;
-        let found = self.spread(self.ty(value), *shape);
-        let expected = vec![Some(*unit); found.len()];
+    /// True if `value` has this shape or can take it.
+    pub(super) fn takes_shape(&self, value: ExprId, shape: Shape) -> bool {
+        match self.ty(value) {
+            Type::Poison => true,
+            Type::Multiple(_) => shape.rows == shape.cols && !shape.is_scalar(),
+            Type::Matrix(own, _) => *own == shape || self.is_zero(value),
+        }
+    }
+
+    pub(super) fn wrong_shape(&mut self, value: ExprId, name: &Name, shape: Shape) {
+        let (shown, found) = (&name.display, self.ty(value).noun());
+        let message = format!("`{shown}` is a {shape}, found {found}");
+        self.errors.push(self.range(value), message);
+    }
+
+    fn conform_unit(&mut self, value: ExprId, variable: &Variable, expected: ComponentUnit) {
+        let shape = variable.shape;
+        let found = self.spread(self.ty(value), shape);
+        let expected = vec![expected; found.len()];
         let (at, shown) = (self.range(value), &variable.name.display);
         self.equal_units(
             at,
-            Some(*shape),
+            Some(shape),
             &found,
             &expected,
             |position, found, unit| {
@@ -224,6 +255,12 @@ impl Typing<'_> {
             },
         );
     }
+}
+
+/// The unit in a declaration; `1` where it has none.
+fn written_unit(symbol: &Symbol) -> String {
+    let unit = symbol.ty.and_then(|ty| ty.unit.as_ref());
+    unit.map_or_else(|| "1".to_owned(), ToString::to_string)
 }
 
 /// Where the next variable begins.

@@ -76,7 +76,7 @@ pub(super) fn catalogued(program: &Program) -> TokenStream {
 fn variable(variable: &Variable) -> TokenStream {
     let (name, ascii) = (&variable.name.display, &variable.name.ascii);
     let (rows, cols) = (whole(variable.shape.rows), whole(variable.shape.cols));
-    let unit = variable.unit.to_string();
+    let (unit, dimensionless) = (&variable.symbols, variable.unit.is_one());
     let doc = variable
         .doc
         .iter()
@@ -90,6 +90,7 @@ fn variable(variable: &Variable) -> TokenStream {
             rows: #rows,
             cols: #cols,
             unit: #unit,
+            dimensionless: #dimensionless,
             doc: #doc,
         }
     }

@@ -186,7 +186,7 @@ fn nested_type(shape: Shape) -> TokenStream {
 
 /// "`ω` in `1/s`: angular velocity", and what the file says in further lines.
 fn field_doc(variable: &Variable) -> Vec<String> {
-    let unit = variable.unit.to_string();
+    let unit = &variable.symbols;
     let mut first = format!(" `{}`", variable.name.display);
     if unit != "1" {
         first.push_str(&format!(" in `{unit}`"));

@@ -1,12 +1,12 @@
 //! Statements with a block: equations, assignments, claims.
 
 use super::Parser;
+use super::advice::missing_operator;
 use super::cursor::Cursor;
 use super::cursor::Parsed;
 use super::expression::finish;
 use super::expression::is_list_of_brackets;
 use super::expression::list;
-use super::expression::missing_operator;
 use super::expression::rows;
 use super::name::Spelling;
 use super::tokens::Kind;

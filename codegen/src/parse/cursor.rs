@@ -56,6 +56,11 @@ impl<'a> Cursor<'a> {
         matches!(self.peek(), Some(Kind::Punct(p)) if *p == c)
     }
 
+    /// The kind of the token just passed.
+    pub(super) fn passed(self) -> Option<&'a Kind> {
+        Some(&self.tokens[self.position.checked_sub(1)?].kind)
+    }
+
     /// True directly behind `c`.
     pub(super) fn follows_punct(self, c: char) -> bool {
         let before = self.position.checked_sub(1).map(|i| &self.tokens[i]);

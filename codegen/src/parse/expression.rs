@@ -3,8 +3,8 @@
 //! ```text
 //! sum     ::= product (('+' | '-') product)*
 //! product ::= signed (('*' | '/') signed)*
-//! signed  ::= '-'* power
-//! power   ::= postfix ('^' '-'* postfix)*          from the right
+//! signed  ::= ('-' | '+')* power
+//! power   ::= postfix ('^' ('-' | '+')* postfix)*  from the right
 //! postfix ::= primary ('.T' | '.x' | '.y' | '.z' | '(' list ')')*
 //! primary ::= number | name | name '[' level ']' | 'Δ'name | name' | name '(' list ')'
 //!           | '(' sum ')' | '[' list ']' | '[' '[' list ']' , … ']'
@@ -13,6 +13,10 @@
 //! Chains are loops; only brackets recurse, and their depth is bounded.
 
 use super::Parser;
+use super::advice::double_star;
+use super::advice::missing_operator;
+use super::advice::no_operand;
+use super::advice::unknown_field;
 use super::cursor::Cursor;
 use super::cursor::Parsed;
 use super::name::Spelling;
@@ -212,46 +216,15 @@ pub(super) fn finish(inside: Cursor, expected: &str) -> Parsed<()> {
     }
 }
 
-/// Something follows an expression that cannot.
-pub(super) fn missing_operator(cursor: Cursor, expected: &str) -> Diagnostic {
-    let mut diagnostic = cursor.unexpected(expected);
-    diagnostic.help = match cursor.peek() {
-        Some(Kind::Punct('\'')) => {
-            Some("write x.T for the transpose and der(x) for the rate".to_owned())
-        }
-        Some(Kind::Ident(_)) if !cursor.starts_a_line() => {
-            Some("write `*` between factors".to_owned())
-        }
-        Some(_) | None => None,
-    };
-    diagnostic
-}
-
-/// Something stands where an operand belongs.
-fn no_operand(cursor: Cursor) -> Diagnostic {
-    if cursor.peeks_punct('=') && cursor.follows_punct('=') {
-        return Diagnostic {
-            range: cursor.previous().to(cursor.here()),
-            message: "expected a single `=`, found `==`".to_owned(),
-            help: None,
-        };
-    }
-    cursor.unexpected("a number, a name, `(` or `[`")
-}
-
+/// The minus signs here; a plus sign says nothing.
 fn signs(cursor: &mut Cursor) -> Vec<Range> {
     let mut signs = Vec::new();
-    while cursor.eat_punct('-') {
-        signs.push(cursor.previous());
-    }
-    signs
-}
-
-fn double_star(cursor: Cursor) -> Diagnostic {
-    Diagnostic {
-        range: cursor.previous().to(cursor.here()),
-        message: "expected an operator, found `**`".to_owned(),
-        help: Some("write `^` for a power".to_owned()),
+    loop {
+        if cursor.eat_punct('-') {
+            signs.push(cursor.previous());
+        } else if !cursor.eat_punct('+') {
+            return signs;
+        }
     }
 }
 
@@ -263,14 +236,6 @@ fn field_of(field: &str, operand: ExprId) -> Option<ExprKind> {
         "z" => Some(ExprKind::Field(operand, 3)),
         _ => None,
     }
-}
-
-fn unknown_field(cursor: Cursor) -> Diagnostic {
-    let mut diagnostic = cursor.unexpected("`T`, `x`, `y` or `z` behind the point");
-    if let Some(Kind::Literal(_)) = cursor.peek() {
-        diagnostic.help = Some("write v(1) for a component, counted from 1".to_owned());
-    }
-    diagnostic
 }
 
 /// `[k]`, `[k+1/2]`, `[k+1]` or `[k-1]` behind `name`.

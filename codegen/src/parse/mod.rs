@@ -4,6 +4,7 @@
 //! mistake in the grammar: after one, reading goes on behind the next `;` or block. From here on
 //! expressions are flat lists and numbers are exact.
 
+mod advice;
 mod block;
 mod cursor;
 mod expression;
@@ -21,6 +22,7 @@ use crate::ast::Ast;
 use crate::ast::Expr;
 use crate::ast::Expression;
 use crate::ast::Item;
+use crate::ast::UnitExpr;
 use crate::diagnostic::Errors;
 use crate::diagnostic::Range;
 use cursor::Cursor;
@@ -80,6 +82,15 @@ pub fn parse_expression(tokens: TokenStream) -> Result<Expression, Errors> {
         exprs: parser.exprs,
         root,
     })
+}
+
+/// Reads a lone unit, such as one that a description gives.
+pub fn parse_unit(tokens: TokenStream) -> Result<UnitExpr, Errors> {
+    let tokens = tokens::flatten(tokens)?;
+    let mut cursor = Cursor::new(&tokens);
+    let unit = types::unit(&mut cursor)?;
+    expression::finish(cursor, "`*`, `/` or the end")?;
+    Ok(unit)
 }
 
 /// What has been read so far.

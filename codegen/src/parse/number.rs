@@ -1,5 +1,7 @@
 //! Literals: exact numbers from their text.
 
+use crate::unit;
+use crate::unit::Unit;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::Num;
@@ -37,7 +39,9 @@ pub(super) fn read(text: &str) -> Result<BigRational, (String, Option<String>)> 
                 Some(format!("write {number}")),
             )
         } else {
-            (message, Some(format!("write {number}*{suffix}")))
+            let help = unit_help(number, suffix);
+            let help = help.unwrap_or_else(|| format!("write {number}*{suffix}"));
+            (message, Some(help))
         });
     }
     let digits = number.replace('_', "");
@@ -61,6 +65,20 @@ pub(super) fn read(text: &str) -> Result<BigRational, (String, Option<String>)> 
     } else {
         BigRational::from_integer(value * scale)
     })
+}
+
+/// What to write for a number with a unit behind it. A single letter is more likely a name.
+pub(super) fn unit_help(number: &str, symbol: &str) -> Option<String> {
+    if symbol.chars().count() < 2 {
+        return None;
+    }
+    let value = match Unit::named(symbol) {
+        Some(_) => number.to_owned(),
+        None => format!("{number}*{}", unit::coherent(symbol)?.1),
+    };
+    Some(format!(
+        "numbers carry no units, declarations do; write {value}"
+    ))
 }
 
 /// The number and what is glued to its end: `("2", "m")` for `2m`.

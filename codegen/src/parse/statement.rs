@@ -1,9 +1,9 @@
 //! Statements.
 
 use super::Parser;
+use super::advice::missing_operator;
 use super::cursor::Cursor;
 use super::cursor::Parsed;
-use super::expression::missing_operator;
 use super::tokens::Kind;
 use super::types;
 use crate::ast::Declaration;
@@ -19,6 +19,7 @@ use crate::diagnostic::Diagnostic;
 use crate::diagnostic::Range;
 use num_rational::BigRational;
 use num_traits::Zero;
+use proc_macro2::Delimiter;
 
 /// Least Jaro-Winkler similarity, from 0 to 1, of a word to the keyword it was meant to be.
 /// `parameter` has 0.91 to `param`, `invariants` 0.98, unrelated words less than 0.7.
@@ -41,6 +42,11 @@ impl Parser {
             return Err(no_statement(*cursor));
         }
         cursor.skip();
+        if matches!(word, "flow" | "residual" | "update" | "start")
+            && !cursor.peeks_open(Delimiter::Brace)
+        {
+            return Err(no_block(word, keyword, cursor));
+        }
         match word {
             "param" => self.valued(cursor, doc, "a default").map(Item::Parameter),
             "unknown" => self.valued(cursor, doc, "a first guess").map(Item::Unknown),
@@ -187,6 +193,11 @@ impl Parser {
                 break;
             }
         }
+        if cursor.peeks_word("next") || cursor.peeks_word("increment") {
+            let mut diagnostic = cursor.unexpected("`,` or `;`");
+            diagnostic.help = Some("write `solve for next, increment;`".to_owned());
+            return Err(diagnostic);
+        }
         self.semicolon(cursor)?;
         Ok(Item::SolveFor(forms, keyword))
     }
@@ -228,6 +239,19 @@ fn unit_without_colon(cursor: Cursor, ty: &TypeExpr) -> Option<String> {
     let looks_like_a_type = matches!(cursor.peek(), Some(Kind::Ident(_) | Kind::Open(..)));
     (no_type && looks_like_a_type && !cursor.starts_a_line())
         .then(|| "write `:` before a shape or a unit".to_owned())
+}
+
+/// No brace behind the keyword of a block, the rest of which is passed.
+fn no_block(word: &str, keyword: Range, cursor: &mut Cursor) -> Diagnostic {
+    let found = cursor.found();
+    while !cursor.is_at_end() && !is_keyword(cursor.peek()) {
+        cursor.skip();
+    }
+    Diagnostic {
+        range: keyword,
+        message: format!("expected `{{` behind `{word}`, found {found}"),
+        help: None,
+    }
 }
 
 /// No keyword here.

@@ -4,6 +4,7 @@ use super::ascii_spelling;
 use super::name::Spelling;
 use super::parse;
 use super::parse_expression;
+use super::parse_unit;
 use crate::ast::Ast;
 use crate::ast::Binary;
 use crate::ast::ExprId;
@@ -182,10 +183,44 @@ fn claims_are_cut_into_blocks() {
 }
 
 #[test]
+fn units_print_as_they_are_written() {
+    for (text, printed) in [
+        ("J", "J"),
+        ("rad / s", "rad/s"),
+        ("N * m", "N*m"),
+        ("kg*m^2/s^2", "kg*m^2/s^2"),
+        ("1", "1"),
+        ("1/s", "1/s"),
+        ("s^-1*m", "1/s*m"),
+        ("m^(1/2)/kg^(-3/2)", "m^(1/2)*kg^(3/2)"),
+        ("Ω", "ohm"),
+        ("1*m/1", "m"),
+    ] {
+        let unit = |text: &str| parse_unit(text.parse().expect("lexes")).map(|u| u.to_string());
+        let once = unit(text).unwrap_or_else(|e| panic!("{e}"));
+        assert_eq!(once, printed);
+        assert_eq!(unit(&once).ok(), Some(once));
+    }
+    assert!(parse_unit("m s".parse().expect("lexes")).is_err());
+}
+
+#[test]
+fn a_plus_sign_in_front_says_nothing() {
+    for (signed, plain) in [
+        ("+x", "x"),
+        ("-+x", "-x"),
+        ("x^+2", "x^2"),
+        ("a - +b", "a - b"),
+    ] {
+        assert_eq!(tree(signed), tree(plain));
+    }
+}
+
+#[test]
 fn long_chains_do_not_nest() {
     let deep = 20_000;
     assert!(tree(&format!("{}x", "-".repeat(100))).starts_with("(neg (neg"));
-    for chain in ["-", "1+", "1*", "2^", "2^-"] {
+    for chain in ["-", "+", "1+", "1*", "2^", "2^-"] {
         let text = format!("{}x", chain.repeat(deep));
         let tokens: TokenStream = text.parse().expect("lexes");
         assert!(parse_expression(tokens).is_ok(), "{chain}");

@@ -109,7 +109,14 @@ impl Token {
 
     /// The token as written.
     pub(super) fn text(&self) -> String {
-        match &self.kind {
+        self.kind.text()
+    }
+}
+
+impl Kind {
+    /// A token of this kind as written.
+    pub(super) fn text(&self) -> String {
+        match self {
             Kind::Ident(text) => text.clone(),
             Kind::Punct(c) => c.to_string(),
             Kind::Literal(literal) => literal.to_string(),

@@ -66,7 +66,8 @@ fn dimension(cursor: &mut Cursor) -> Parsed<usize> {
     }
 }
 
-fn unit(cursor: &mut Cursor) -> Parsed<UnitExpr> {
+/// `kg*m^2/s`
+pub(super) fn unit(cursor: &mut Cursor) -> Parsed<UnitExpr> {
     let start = cursor.here();
     let mut factors = Vec::new();
     let mut sign = 1;

@@ -480,6 +480,7 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
             rows: 1,
             cols: 1,
             unit: "1",
+            dimensionless: true,
             doc: "",
         },
         ::residua::description::Variable {
@@ -488,6 +489,7 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
             rows: 1,
             cols: 1,
             unit: "1",
+            dimensionless: true,
             doc: "",
         },
         ::residua::description::Variable {
@@ -496,6 +498,7 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
             rows: 1,
             cols: 1,
             unit: "1",
+            dimensionless: true,
             doc: "",
         },
         ::residua::description::Variable {
@@ -504,6 +507,7 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
             rows: 1,
             cols: 1,
             unit: "1",
+            dimensionless: true,
             doc: "",
         },
         ::residua::description::Variable {
@@ -512,6 +516,7 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
             rows: 1,
             cols: 1,
             unit: "1",
+            dimensionless: true,
             doc: "",
         },
         ::residua::description::Variable {
@@ -520,6 +525,7 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
             rows: 1,
             cols: 1,
             unit: "1",
+            dimensionless: true,
             doc: "",
         },
         ::residua::description::Variable {
@@ -528,6 +534,7 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
             rows: 1,
             cols: 1,
             unit: "1",
+            dimensionless: true,
             doc: "",
         },
         ::residua::description::Variable {
@@ -536,6 +543,7 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
             rows: 1,
             cols: 1,
             unit: "1",
+            dimensionless: true,
             doc: "",
         },
         ::residua::description::Variable {
@@ -544,6 +552,7 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
             rows: 3,
             cols: 1,
             unit: "1",
+            dimensionless: true,
             doc: "",
         },
         ::residua::description::Variable {
@@ -552,6 +561,7 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
             rows: 2,
             cols: 2,
             unit: "1",
+            dimensionless: true,
             doc: "",
         },
         ::residua::description::Variable {
@@ -560,6 +570,7 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
             rows: 4,
             cols: 1,
             unit: "1",
+            dimensionless: true,
             doc: "",
         },
         ::residua::description::Variable {
@@ -568,6 +579,7 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
             rows: 1,
             cols: 1,
             unit: "1",
+            dimensionless: true,
             doc: "",
         },
     ],
@@ -578,6 +590,7 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
             rows: 2,
             cols: 1,
             unit: "1",
+            dimensionless: true,
             doc: "",
         },
         ::residua::description::Variable {
@@ -586,6 +599,7 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
             rows: 1,
             cols: 1,
             unit: "1",
+            dimensionless: true,
             doc: "",
         },
         ::residua::description::Variable {
@@ -594,6 +608,7 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
             rows: 1,
             cols: 1,
             unit: "1",
+            dimensionless: true,
             doc: "",
         },
     ],

@@ -26,7 +26,7 @@ impl<T: ::core::marker::Copy> ::residua::Record<T> for Parameters<T> {
 #[allow(non_snake_case, reason = "names as in the model")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct State<T = f64> {
-    /// `ω` in `1/s`: angular velocity
+    /// `ω` in `rad/s`: angular velocity
     pub omega: T,
     /// `Γ`: second row of the rotation matrix
     pub Gamma: [T; 2],
@@ -49,9 +49,9 @@ impl<T: ::core::marker::Copy> ::residua::Record<T> for State<T> {
 #[allow(non_snake_case, reason = "names as in the model")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outputs<T = f64> {
-    /// `energy` in `kg*m^2/s^2`
+    /// `energy` in `J`
     pub energy: T,
-    /// `θ`
+    /// `θ` in `rad`
     pub theta: T,
 }
 #[allow(non_snake_case, reason = "names as in the model")]
@@ -404,6 +404,7 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
             rows: 1,
             cols: 1,
             unit: "kg",
+            dimensionless: false,
             doc: "mass",
         },
         ::residua::description::Variable {
@@ -412,6 +413,7 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
             rows: 1,
             cols: 1,
             unit: "kg*m^2",
+            dimensionless: false,
             doc: "moment of inertia about the pivot",
         },
         ::residua::description::Variable {
@@ -420,6 +422,7 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
             rows: 1,
             cols: 1,
             unit: "m",
+            dimensionless: false,
             doc: "distance from the pivot to the centre of mass",
         },
         ::residua::description::Variable {
@@ -428,6 +431,7 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
             rows: 1,
             cols: 1,
             unit: "m/s^2",
+            dimensionless: false,
             doc: "gravity",
         },
     ],
@@ -437,7 +441,8 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
             ascii: "omega",
             rows: 1,
             cols: 1,
-            unit: "1/s",
+            unit: "rad/s",
+            dimensionless: false,
             doc: "angular velocity",
         },
         ::residua::description::Variable {
@@ -446,6 +451,7 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
             rows: 2,
             cols: 1,
             unit: "1",
+            dimensionless: true,
             doc: "second row of the rotation matrix",
         },
     ],
@@ -456,7 +462,8 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
                 ascii: "energy",
                 rows: 1,
                 cols: 1,
-                unit: "kg*m^2/s^2",
+                unit: "J",
+                dimensionless: false,
                 doc: "",
             },
             invariant: true,
@@ -467,7 +474,8 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
                 ascii: "theta",
                 rows: 1,
                 cols: 1,
-                unit: "1",
+                unit: "rad",
+                dimensionless: true,
                 doc: "",
             },
             invariant: false,

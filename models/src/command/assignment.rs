@@ -47,11 +47,11 @@ pub struct Target<'a> {
 pub fn assign(
     assignments: &[Assignment],
     target: Target<'_>,
-    symbols: &[Symbol<'_>],
+    symbols: &[(Symbol<'_>, Vec<f64>)],
 ) -> Result<(), Failure> {
     for assignment in assignments {
         let place = place(assignment, &target)?;
-        let values = evaluate(&assignment.value, place.shape, symbols)
+        let values = evaluate(&assignment.value, &place.symbol, symbols)
             .map_err(|message| bad_value(assignment, &message))?;
         if let Some(value) = values.iter().find(|value| !value.is_finite()) {
             return Err(bad_value(assignment, &format!("the value is {value}")));
@@ -66,23 +66,27 @@ fn bad_value(assignment: &Assignment, message: &str) -> Failure {
 }
 
 /// A stretch of the flat values.
-struct Place {
+struct Place<'a> {
     range: Range<usize>,
-    shape: (usize, usize),
+    symbol: Symbol<'a>,
 }
 
-fn place(assignment: &Assignment, target: &Target<'_>) -> Result<Place, Failure> {
+fn place<'a>(assignment: &'a Assignment, target: &Target<'_>) -> Result<Place<'a>, Failure> {
     let text = assignment.target.as_str();
     let (name, pick) = text.split_at(text.find(['.', '(']).unwrap_or(text.len()));
     let mut start = 0;
     for variable in target.variables {
         let len = variable.rows * variable.cols;
         if name == variable.name || name == variable.ascii {
+            let symbol = |shape| Symbol {
+                name: text,
+                shape,
+                unit: variable.unit,
+            };
             if pick.is_empty() {
-                let shape = (variable.rows, variable.cols);
                 return Ok(Place {
                     range: start..start + len,
-                    shape,
+                    symbol: symbol((variable.rows, variable.cols)),
                 });
             }
             let component =
@@ -90,7 +94,7 @@ fn place(assignment: &Assignment, target: &Target<'_>) -> Result<Place, Failure>
             let at = start + component;
             return Ok(Place {
                 range: at..at + 1,
-                shape: (1, 1),
+                symbol: symbol((1, 1)),
             });
         }
         start += len;

@@ -37,7 +37,7 @@ pub struct Quantity {
     pub ascii: &'static str,
     /// Rows and columns.
     pub shape: (usize, usize),
-    /// In base SI symbols.
+    /// As in the file; in base SI symbols where it is derived.
     pub unit: &'static str,
     /// Its doc lines.
     pub doc: &'static str,

@@ -36,18 +36,25 @@ pub fn compile(
         let start = offset(text, at);
         let end = start + text[start..].chars().next().map_or(0, char::len_utf8);
         print(shown, text, &error.message, start..end, None);
+        eprintln!("{shown}: 1 mistake, and the rest is not read");
         Failure::Reported(2)
     })?;
     residua_codegen::compile(name, tokens).map_err(|errors| {
+        let mistakes = errors.into_sorted();
+        let count = match mistakes.len() {
+            1 => "1 mistake".to_owned(),
+            n => format!("{n} mistakes"),
+        };
         for Diagnostic {
             range,
             message,
             help,
-        } in errors.into_sorted()
+        } in mistakes
         {
             let place = offset(text, range.start.start())..offset(text, range.end.end());
             print(shown, text, &message, place, help.as_deref());
         }
+        eprintln!("{shown}: {count}");
         Failure::Reported(2)
     })
 }

@@ -8,6 +8,7 @@ fn variable(rows: usize, cols: usize) -> Variable {
         rows,
         cols,
         unit: "1",
+        dimensionless: true,
         doc: "",
     }
 }

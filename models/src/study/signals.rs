@@ -70,7 +70,7 @@ impl Signals {
         for &value in values {
             let of = self.values.len();
             self.push_one(position, None, value);
-            if variable.unit == "1" {
+            if variable.dimensionless {
                 self.push_one(position, Some(of), value.sin());
                 self.push_one(position, Some(of), value.cos());
             }

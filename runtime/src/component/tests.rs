@@ -10,6 +10,7 @@ const fn variable(name: &'static str, rows: usize, cols: usize) -> Variable {
         rows,
         cols,
         unit: "1",
+        dimensionless: true,
         doc: "",
     }
 }

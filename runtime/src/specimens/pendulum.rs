@@ -214,6 +214,7 @@ const fn scalar(name: &'static str, unit: &'static str) -> Variable {
         rows: 1,
         cols: 1,
         unit,
+        dimensionless: matches!(unit.as_bytes(), b"1" | b"rad"),
         doc: "",
     }
 }

@@ -63,6 +63,7 @@ impl<P: Problem<N>, const N: usize> Model<f64> for Root<P, N> {
             rows: N,
             cols: 1,
             unit: "1",
+            dimensionless: true,
             doc: "",
         }],
         outputs: &[],

@@ -149,16 +149,17 @@ fn values(options: &Simulate, model: &Catalogued) -> Result<(Vec<f64>, Vec<f64>)
 }
 
 /// The parameters under their names.
-fn symbols<'a>(variables: &'a [Variable], values: &[f64]) -> Vec<Symbol<'a>> {
+fn symbols<'a>(variables: &'a [Variable], values: &[f64]) -> Vec<(Symbol<'a>, Vec<f64>)> {
     let mut offset = 0;
     let symbol = |variable: &'a Variable| {
         let len = variable.rows * variable.cols;
         offset += len;
-        Symbol {
+        let symbol = Symbol {
             name: variable.name,
             shape: (variable.rows, variable.cols),
-            values: values[offset - len..offset].to_vec(),
-        }
+            unit: variable.unit,
+        };
+        (symbol, values[offset - len..offset].to_vec())
     };
     variables.iter().map(symbol).collect()
 }

@@ -11,6 +11,7 @@ static ONE_STATE: Description = Description {
         rows: 1,
         cols: 1,
         unit: "1",
+        dimensionless: true,
         doc: "",
     }],
     outputs: &[],
