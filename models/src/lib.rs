@@ -16,6 +16,8 @@
     reason = "model files use Greek letters beside Latin ones on purpose"
 )]
 
+pub mod errata;
+
 use ::residua::Catalogued;
 use ::std::fmt;
 

@@ -6,6 +6,7 @@ mod check;
 mod columns;
 mod describe;
 mod diagnose;
+mod errata;
 mod expand;
 mod expression;
 mod failure;
@@ -35,6 +36,7 @@ enum Verb {
     List(list::List),
     Simulate(simulate::Simulate),
     Check(check::Check),
+    Errata(errata::Errata),
     Expand(expand::Expand),
     New(new::New),
 }
@@ -44,6 +46,7 @@ fn main() -> ExitCode {
         Verb::List(list) => list.run(),
         Verb::Simulate(simulate) => simulate.run(),
         Verb::Check(check) => check.run(),
+        Verb::Errata(errata) => errata.run(),
         Verb::Expand(expand) => expand.run(),
         Verb::New(new) => new.run(),
     };
