@@ -83,14 +83,14 @@ pub(super) fn vanishing(
 ) -> Vec<Difference> {
     let mut differences = Vec::new();
     for (row, (&printed, &along)) in printed.iter().zip(along).enumerate() {
-        if let Some(values) = points.disagreement(along, along, 0.0) {
+        if let Some((value, _)) = points.disagreement(along, along, 0.0) {
             differences.push(Difference {
                 row,
                 col: 0,
                 entry: names.row(&claim.equations, row),
                 printed: names.text(printed),
                 derived: "0".to_owned(),
-                values,
+                values: (value, 0.0),
             });
         }
     }

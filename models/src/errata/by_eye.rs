@@ -30,13 +30,6 @@ pub const SLIPS: &[Slip] = &[
         doubtful: false,
     },
     Slip {
-        place: "below Eq. (12)",
-        printed: "each row of R is the projection of X'Y'Z' on X, Y, Z",
-        right: "each column is the projection of a body axis on X, Y, Z",
-        reason: "so said of the plane below Eq. (1), and so it is with Ṙ = R S(ω), ω in the body frame",
-        doubtful: false,
-    },
-    Slip {
         place: "Eq. (11)",
         printed: "S_x, S_y, S_z",
         right: "S(e1), S(e2), S(e3)",
@@ -44,11 +37,18 @@ pub const SLIPS: &[Slip] = &[
         doubtful: false,
     },
     Slip {
+        place: "Eqs. (8), (11) and (13), (14)",
+        printed: "ω_x, ω_y, ω_z for the rates of the three angles and for the components of ω",
+        right: "two sets of names",
+        reason: "Eq. (15) says how they differ",
+        doubtful: false,
+    },
+    Slip {
         place: "Eq. (16)",
         printed: "‖R‖ = 1",
         right: "det R = 1",
-        reason: "the only norm under which ‖R‖ = 1, the spectral one, follows from R Rᵀ = I and tells no rotation \
-                 from a reflection",
+        reason: "the spectral norm is 1 wherever R Rᵀ = I and tells no rotation from a reflection, and the root of \
+                 the sum of squares is √3",
         doubtful: false,
     },
     Slip {
@@ -76,7 +76,7 @@ pub const SLIPS: &[Slip] = &[
         place: "below Eq. (23)",
         printed: "R_a and R_b commute if and only if i = j",
         right: "for all angles if and only if i = j",
-        reason: "half turns about two perpendicular axes commute, and so does no turn with any",
+        reason: "half turns about perpendicular axes commute, and so does the identity with every rotation",
         doubtful: false,
     },
     Slip {
@@ -92,13 +92,6 @@ pub const SLIPS: &[Slip] = &[
         printed: "\"Equation (28)\" for (27), \"Equation (50)\" for (49), and so on up to \"Equation (87)\" for (86)",
         right: "the number of the tag",
         reason: "references in the text run one ahead of the tags; \"The Jacobi matrix is Equation (87)\" does not",
-        doubtful: false,
-    },
-    Slip {
-        place: "above Eq. (31)",
-        printed: "Equation (18) can be discrete with Lie group or Lie algebra",
-        right: "Ṙ = R S(ω), Eq. (13), or its rows, Eq. (18)",
-        reason: "what follows discretises R and not its rows",
         doubtful: false,
     },
     Slip {

@@ -48,8 +48,8 @@ pub struct Comparison {
     pub printed: Run,
     /// With the model's own residual and its derivative.
     pub right: Run,
-    /// Largest difference of the states after as many steps as both have.
-    pub difference: f64,
+    /// Largest difference of the states after as many steps as both have, if they have any.
+    pub difference: Option<f64>,
 }
 
 /// A run.
@@ -109,10 +109,11 @@ pub fn compare(analysis: &Analysis, claim: usize, plan: &Plan) -> Option<Compari
     let (printed, right) = (printed.run(&scene, plan), right.run(&scene, plan));
     let last = printed.states.len().min(right.states.len()) - 1;
     let pairs = printed.states[last].iter().zip(&right.states[last]);
+    let largest = pairs.fold(0.0, |most, (a, b)| f64::max(most, (a - b).abs()));
     Some(Comparison {
         form: system.form.keyword(),
         plan: *plan,
-        difference: pairs.fold(0.0, |most, (a, b)| f64::max(most, (a - b).abs())),
+        difference: (last > 0).then_some(largest),
         printed,
         right,
     })

@@ -63,11 +63,16 @@ fn newton(comparison: &Comparison, out: &mut impl Write) -> io::Result<()> {
     )?;
     writeln!(out, "      printed  {}", run(printed, h))?;
     writeln!(out, "      right    {}", run(right, h))?;
-    let common = printed.steps.min(right.steps);
-    writeln!(
-        out,
-        "      states differ by {difference:.1e} after {common} steps"
-    )
+    match difference {
+        None => Ok(()),
+        Some(difference) => {
+            let common = printed.steps.min(right.steps);
+            writeln!(
+                out,
+                "      states differ by {difference:.1e} after {common} steps"
+            )
+        }
+    }
 }
 
 fn run(run: &Run, h: f64) -> String {
