@@ -9,14 +9,25 @@ use crate::finding::Difference;
 use crate::model::Claim;
 use crate::model::Equation;
 
-/// The equations of `claim`, `printed` being left − right, against the components `derived` of the model's
-/// residual or of its variation, equation by equation and up to a factor in each.
+/// Left − right of every component of a claim, and what it should be.
+pub(super) struct Against<'a> {
+    pub(super) printed: &'a [NodeId],
+    /// A component of the model's residual, or of its variation.
+    pub(super) derived: &'a [NodeId],
+    /// Printed − derived.
+    pub(super) gaps: &'a [NodeId],
+}
+
+/// The components of `claim` against those of the model, equation by equation and up to a factor in each.
 pub(super) fn against(
     names: &Names,
     points: &Points,
     claim: &Claim,
-    printed: &[NodeId],
-    derived: &[NodeId],
+    Against {
+        printed,
+        derived,
+        gaps,
+    }: &Against,
 ) -> Vec<Difference> {
     let own = &names.model.residual;
     let lengths =
@@ -36,11 +47,18 @@ pub(super) fn against(
         let factor = common_factor(points, &printed[rows.clone()], &derived[rows.clone()]);
         for row in rows {
             if let Some(values) = points.disagreement(printed[row], derived[row], factor) {
+                let is_long = names.text(derived[row]).ends_with('…');
+                // Of two long texts only the difference shows the slip.
+                let text = if is_long && factor == 1.0 {
+                    format!("what is right + ({})", names.text(gaps[row]))
+                } else {
+                    names.text(printed[row])
+                };
                 differences.push(Difference {
                     row,
                     col: 0,
                     entry: names.row(&claim.equations, row),
-                    printed: names.text(printed[row]),
+                    printed: text,
                     derived: times(factor, names.text(derived[row])),
                     values,
                 });

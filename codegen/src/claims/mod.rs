@@ -62,6 +62,17 @@ pub fn discrete_claims(
             jacobian: dense(&mut discrete.dag, derivative, n),
         }));
     }
+    let mut gaps = Vec::new();
+    for (claim, claimed) in model.claims.iter().zip(&discrete.claims) {
+        let derived = match claim.kind {
+            ClaimKind::Residual => &own.residual[..],
+            ClaimKind::Differential => &variation[..],
+            ClaimKind::Jacobian | ClaimKind::Flow | ClaimKind::Equation => &[],
+        };
+        let pairs = claimed.differences.iter().zip(derived);
+        let gap = pairs.map(|(&printed, &derived)| discrete.dag.sub(printed, derived));
+        gaps.push(gap.collect::<Vec<_>>());
+    }
     let points = Points::new(&discrete.dag);
     let zero = discrete.dag.integer(0);
     let names = Names {
@@ -73,6 +84,11 @@ pub fn discrete_claims(
     let mut judged = Judged::default();
     for (claim, claimed) in model.claims.iter().zip(&discrete.claims) {
         let mut printed = None;
+        let against = |derived| equations::Against {
+            printed: &claimed.differences,
+            derived,
+            gaps: &gaps[judged.findings.len()],
+        };
         let differences = match claim.kind {
             ClaimKind::Flow => {
                 judged.findings.push(None);
@@ -102,10 +118,10 @@ pub fn discrete_claims(
             }
             ClaimKind::Residual => {
                 printed = residuals[judged.printed.len()].clone();
-                equations::against(&names, &points, claim, &claimed.differences, &own.residual)
+                equations::against(&names, &points, claim, &against(&own.residual))
             }
             ClaimKind::Differential => {
-                equations::against(&names, &points, claim, &claimed.differences, &variation)
+                equations::against(&names, &points, claim, &against(&variation))
             }
             ClaimKind::Equation => equations::identity(&names, &points, claim, &claimed.sides),
         };
