@@ -230,15 +230,58 @@ impl Form {
     }
 }
 
+/// What a claim is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ClaimKind {
+    /// The derivative of the residual.
+    Jacobian,
+    /// The discrete equations.
+    Residual,
+    /// The continuous equations.
+    Flow,
+    /// An identity.
+    Equation,
+    /// The variation of the residual.
+    Differential,
+}
+
+impl ClaimKind {
+    /// Every kind.
+    pub const ALL: [ClaimKind; 5] = [
+        ClaimKind::Jacobian,
+        ClaimKind::Residual,
+        ClaimKind::Flow,
+        ClaimKind::Equation,
+        ClaimKind::Differential,
+    ];
+
+    /// The word of the language.
+    pub fn keyword(self) -> &'static str {
+        match self {
+            ClaimKind::Jacobian => "jacobian",
+            ClaimKind::Residual => "residual",
+            ClaimKind::Flow => "flow",
+            ClaimKind::Equation => "equation",
+            ClaimKind::Differential => "differential",
+        }
+    }
+}
+
 /// `claim jacobian "Eq. 50" { ... }`: what a paper prints.
 #[derive(Clone, Debug)]
 pub struct Claim {
+    /// What it is about.
+    pub kind: ClaimKind,
     /// The quoted label.
     pub label: String,
+    /// `of "Eq. 86"`: the label of the claimed residual that a Jacobian belongs to.
+    pub of: Option<(String, Range)>,
     /// `require` in front: a difference is an error, not a finding.
     pub required: bool,
-    /// Block rows as written, each block with its source text, blanks normalised.
+    /// Block rows of a Jacobian as written, each block with its source text, blanks normalised.
     pub blocks: Vec<Vec<(ExprId, String)>>,
+    /// What every other kind consists of.
+    pub equations: Vec<Equation>,
     /// From `claim` to the closing brace.
     pub range: Range,
 }

@@ -1,12 +1,14 @@
 //! The driver: the one file that names more than one stage.
 
+use crate::ast::ClaimKind;
 use crate::ast::Form;
 use crate::ast::Name;
 use crate::ast::TypeExpr;
 use crate::check::check;
 use crate::check::check_value;
 use crate::check::stand_in;
-use crate::claims::claims;
+use crate::claims::continuous_claims;
+use crate::claims::discrete_claims;
 use crate::dag::Leaf;
 use crate::diagnostic::Diagnostic;
 use crate::diagnostic::Errors;
@@ -51,7 +53,7 @@ fn quiet(name: &str, tokens: TokenStream) -> TokenStream {
     let systems = model.forms.iter().map(|&form| discrete(&model, form));
     let systems: Result<Vec<_>, Errors> = systems.map(|system| Ok(system?.0)).collect();
     match (continuous(&model), systems) {
-        (Ok(equations), Ok(systems)) => stub(&model, &program(&equations, &systems)),
+        (Ok((equations, _)), Ok(systems)) => stub(&model, &program(&equations, &systems)),
         (Err(_), _) | (_, Err(_)) => TokenStream::new(),
     }
 }
@@ -85,22 +87,22 @@ pub struct Analysis {
 /// As [`compile`].
 pub fn analyse(name: &str, tokens: TokenStream) -> Result<Analysis, Errors> {
     let model = check(&parse(name, tokens)?)?;
-    let equations = continuous(&model)?;
+    let (equations, mut findings) = continuous(&model)?;
     finite(&model, &equations)?;
     let mut systems = Vec::new();
-    let mut findings = Vec::new();
     for &form in &model.forms {
         let (system, found) = discrete(&model, form)?;
         systems.push(system);
-        if findings.is_empty() {
-            findings = found;
+        // Every form gives the same verdicts; the first to speak names its unknowns.
+        for (finding, found) in findings.iter_mut().zip(found) {
+            *finding = finding.take().or(found);
         }
     }
     Ok(Analysis {
         model,
         equations,
         systems,
-        findings,
+        findings: findings.into_iter().flatten().collect(),
     })
 }
 
@@ -138,7 +140,9 @@ pub fn evaluate(
         .collect();
     let values = lowered.dag.evaluate(|leaf| match leaf {
         Leaf::Parameter(i) => inputs[i],
-        Leaf::StepSize | Leaf::Time | Leaf::State(_) | Leaf::Unknown(_) => f64::NAN,
+        Leaf::StepSize | Leaf::Time | Leaf::State(_) | Leaf::Unknown(_) | Leaf::Variation(_) => {
+            f64::NAN
+        }
     });
     Ok(lowered
         .outputs
@@ -181,7 +185,7 @@ fn in_words(errors: Errors) -> String {
         .join("; ")
 }
 
-fn continuous(model: &Model) -> Result<Equations, Errors> {
+fn continuous(model: &Model) -> Result<(Equations, Vec<Option<Finding>>), Errors> {
     let mut lowered = lower_continuous(model)?;
     let flow = if model.flow.is_empty() {
         None
@@ -190,27 +194,38 @@ fn continuous(model: &Model) -> Result<Equations, Errors> {
         Some(explicit(model, &mut lowered.dag, &lowered.flow, &entries)?)
     };
     let crate::system::Continuous {
-        dag,
+        mut dag,
         defaults,
         start,
         outputs,
+        claims,
         ..
     } = lowered;
+    let findings = continuous_claims(model, &mut dag, &claims, flow.as_deref())?;
     debug_assert_eq!(dag.verify(), Ok(()));
-    Ok(Equations {
+    let equations = Equations {
         dag,
         defaults,
         start,
         outputs,
         flow,
-    })
+    };
+    Ok((equations, findings))
 }
 
-fn discrete(model: &Model, form: Form) -> Result<(System, Vec<Finding>), Errors> {
+fn discrete(model: &Model, form: Form) -> Result<(System, Vec<Option<Finding>>), Errors> {
     let mut lowered = lower_discrete(model, form)?;
-    let jacobian = differentiate(&mut lowered.dag, &lowered.residual, model.n_unknowns());
+    let n = model.n_unknowns();
+    let jacobian = differentiate(&mut lowered.dag, &lowered.residual, n);
     let blocks = structure(model, &lowered.dag, &jacobian)?;
-    let findings = claims(model, &mut lowered, &jacobian)?;
+    let mut derivatives = vec![Vec::new(); model.claims.len()];
+    for (i, claim) in model.claims.iter().enumerate() {
+        if claim.kind == ClaimKind::Residual {
+            let claimed = &lowered.claims[i].differences;
+            derivatives[i] = differentiate(&mut lowered.dag, claimed, n);
+        }
+    }
+    let judged = discrete_claims(model, &mut lowered, &jacobian, &derivatives)?;
     let crate::system::Discrete {
         dag,
         residual,
@@ -228,7 +243,8 @@ fn discrete(model: &Model, form: Form) -> Result<(System, Vec<Finding>), Errors>
             guess,
             next,
             blocks,
+            printed: judged.printed,
         },
-        findings,
+        judged.findings,
     ))
 }

@@ -3,7 +3,7 @@
 //! ```text
 //! node ::= constant            exact rational
 //!        | π
-//!        | leaf                parameter, h, t, state, unknown
+//!        | leaf                parameter, h, t, state, unknown, variation
 //!        | Σ cᵢ nᵢ             rational coefficients, terms in node order
 //!        | Π nᵢ^eᵢ             integer powers, factors in node order
 //!        | f(n, …)             elementary function
@@ -19,7 +19,10 @@ use std::collections::HashMap;
 use std::fmt;
 
 mod evaluate;
+mod tape;
 mod text;
+
+pub use tape::Tape;
 
 /// Index of a node in its [`Dag`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -56,6 +59,8 @@ pub enum Leaf {
     State(usize),
     /// A component of the unknown vector.
     Unknown(usize),
+    /// The variation δ of a component of the unknown vector; only claims contain it.
+    Variation(usize),
 }
 
 impl Leaf {
@@ -64,7 +69,7 @@ impl Leaf {
         match self {
             Leaf::Parameter(_) | Leaf::StepSize => Rate::Scene,
             Leaf::Time | Leaf::State(_) => Rate::Step,
-            Leaf::Unknown(_) => Rate::Iteration,
+            Leaf::Unknown(_) | Leaf::Variation(_) => Rate::Iteration,
         }
     }
 }

@@ -21,7 +21,11 @@ pub fn finite(model: &Model, equations: &Equations) -> Result<(), Errors> {
     if errors.is_empty() {
         let values = equations.dag.evaluate(|leaf| match leaf {
             Leaf::Parameter(i) => defaults[i],
-            Leaf::StepSize | Leaf::Time | Leaf::State(_) | Leaf::Unknown(_) => f64::NAN,
+            Leaf::StepSize
+            | Leaf::Time
+            | Leaf::State(_)
+            | Leaf::Unknown(_)
+            | Leaf::Variation(_) => f64::NAN,
         });
         let states = model.states.iter().map(|s| &s.variable);
         let start = at(&values, &equations.start);

@@ -16,11 +16,14 @@ mod arithmetic;
 mod context;
 mod functions;
 
+use crate::ast::ClaimKind;
 use crate::ast::ExprId;
 use crate::ast::Form;
 use crate::dag::NodeId;
 use crate::diagnostic::Errors;
+use crate::model::Equation;
 use crate::model::Model;
+use crate::system::Claimed;
 use crate::system::Continuous;
 use crate::system::Discrete;
 use context::Context;
@@ -36,15 +39,7 @@ pub fn lower_discrete(model: &Model, form: Form) -> Result<Discrete, Errors> {
     let residual = differences(&mut context, &model.residual);
     let guess = context.guesses();
     let next = context.next_states();
-    let claims = model
-        .claims
-        .iter()
-        .map(|claim| {
-            let row =
-                |row: &Vec<(ExprId, String)>| row.iter().map(|b| context.claimed(b.0)).collect();
-            claim.blocks.iter().map(row).collect()
-        })
-        .collect();
+    let claims = claims(&mut context, &|kind| kind != ClaimKind::Flow);
     let Context { dag, errors, .. } = context;
     errors.or(Discrete {
         form,
@@ -75,6 +70,7 @@ pub fn lower_continuous(model: &Model) -> Result<Continuous, Errors> {
         outputs.extend(context.components(output.value, output.variable.shape));
     }
     let flow = differences(&mut context, &model.flow);
+    let claims = claims(&mut context, &|kind| kind == ClaimKind::Flow);
     let Context { dag, errors, .. } = context;
     errors.or(Continuous {
         dag,
@@ -82,18 +78,47 @@ pub fn lower_continuous(model: &Model) -> Result<Continuous, Errors> {
         start,
         outputs,
         flow,
+        claims,
     })
 }
 
 /// Left − right of every component of `equations`.
-fn differences(context: &mut Context, equations: &[crate::model::Equation]) -> Vec<NodeId> {
-    let mut roots = Vec::new();
+fn differences(context: &mut Context, equations: &[Equation]) -> Vec<NodeId> {
+    let sides = sides(context, equations).into_iter();
+    sides
+        .map(|(left, right)| context.dag.sub(left, right))
+        .collect()
+}
+
+/// Left and right of every component of `equations`.
+fn sides(context: &mut Context, equations: &[Equation]) -> Vec<(NodeId, NodeId)> {
+    let mut sides = Vec::new();
     for equation in equations {
         let left = context.components(equation.lhs, equation.shape);
         let right = context.components(equation.rhs, equation.shape);
-        for (left, right) in left.into_iter().zip(right) {
-            roots.push(context.dag.sub(left, right));
-        }
+        sides.extend(left.into_iter().zip(right));
     }
-    roots
+    sides
+}
+
+/// The claims of the kinds that `belongs` accepts; nothing for the others.
+fn claims(context: &mut Context, belongs: &dyn Fn(ClaimKind) -> bool) -> Vec<Claimed> {
+    let mut claims = Vec::new();
+    for claim in &context.model.claims {
+        if !belongs(claim.kind) {
+            claims.push(Claimed::default());
+            continue;
+        }
+        let row = |row: &Vec<(ExprId, String)>| row.iter().map(|b| context.claimed(b.0)).collect();
+        let blocks = claim.blocks.iter().map(row).collect();
+        let sides = sides(context, &claim.equations);
+        let pairs = sides.iter();
+        let differences = pairs.map(|s| context.dag.sub(s.0, s.1)).collect();
+        claims.push(Claimed {
+            blocks,
+            sides,
+            differences,
+        });
+    }
+    claims
 }

@@ -2,6 +2,7 @@
 //!
 //! The output of `check`, the input of `lower` and, for names and texts, of `emit`.
 
+use crate::ast::ClaimKind;
 use crate::ast::ExprId;
 use crate::ast::Form;
 use crate::ast::Level;
@@ -154,15 +155,23 @@ pub struct Output {
     pub value: ExprId,
 }
 
-/// A printed Jacobian. Its blocks are not checked for shape: a misfit is a finding.
+/// What a paper prints. Whether it has the shape of what it is compared with is not checked: a misfit is a
+/// finding.
 #[derive(Clone, Debug)]
 pub struct Claim {
+    /// What it is about.
+    pub kind: ClaimKind,
     /// What the author calls it.
     pub label: String,
     /// A difference is an error.
     pub required: bool,
-    /// Block rows as written, with the source text of each block.
+    /// Position in [`Model::claims`] of the claimed residual that a Jacobian belongs to; without it the
+    /// Jacobian belongs to the model's own.
+    pub of: Option<usize>,
+    /// Block rows of a Jacobian as written, with the source text of each block.
     pub blocks: Vec<Vec<(ExprId, String)>>,
+    /// What every other kind consists of.
+    pub equations: Vec<Equation>,
     /// Where it stands.
     pub range: Range,
 }
@@ -200,6 +209,8 @@ pub enum Op {
     Rate(usize),
     /// All of an own unknown.
     Unknown(usize),
+    /// `δ(…)` of an unknown.
+    Variation(Solved),
     /// `t`
     Time(Level),
     /// `h`
@@ -245,6 +256,7 @@ impl Op {
             | Op::Increment(_)
             | Op::Rate(_)
             | Op::Unknown(_)
+            | Op::Variation(_)
             | Op::Time(_)
             | Op::StepSize => Vec::new(),
             Op::Neg(a) | Op::Transpose(a) | Op::Component(a, ..) => vec![*a],

@@ -16,7 +16,7 @@ impl Sample {
         Self { number }
     }
 
-    /// The value of an input: parameters, h and t between 0.3 and 1.7, states and unknowns between
+    /// The value of an input: parameters, h and t between 0.3 and 1.7, states, unknowns and their variations between
     /// −1 and 1.
     pub fn value(self, leaf: Leaf) -> f64 {
         let (kind, index) = match leaf {
@@ -25,6 +25,7 @@ impl Sample {
             Leaf::Time => (3, 0),
             Leaf::State(i) => (4, i),
             Leaf::Unknown(i) => (5, i),
+            Leaf::Variation(i) => (6, i),
         };
         let unit = mix(self.number << 40 ^ kind << 32 ^ index as u64);
         if kind <= 3 {

@@ -18,8 +18,19 @@ pub struct Discrete {
     pub guess: Vec<NodeId>,
     /// The state after the step.
     pub next: Vec<NodeId>,
-    /// The block rows of each claim.
-    pub claims: Vec<Vec<Vec<ClaimedBlock>>>,
+    /// Each claim of the model; nothing for one about the continuous equations.
+    pub claims: Vec<Claimed>,
+}
+
+/// A claim as scalars.
+#[derive(Clone, Debug, Default)]
+pub struct Claimed {
+    /// Block rows of a Jacobian.
+    pub blocks: Vec<Vec<ClaimedBlock>>,
+    /// Left and right of every component of the equations of any other kind.
+    pub sides: Vec<(NodeId, NodeId)>,
+    /// Left − right of the same.
+    pub differences: Vec<NodeId>,
 }
 
 /// A block of a claim as written.
@@ -44,6 +55,8 @@ pub struct Continuous {
     pub outputs: Vec<NodeId>,
     /// Left − right of each continuous equation; the rates are its unknowns, in state order.
     pub flow: Vec<NodeId>,
+    /// Each claim of the model; nothing for one about the discrete equations.
+    pub claims: Vec<Claimed>,
 }
 
 /// A structural non-zero of the Jacobian.
@@ -86,6 +99,17 @@ pub struct System {
     pub next: Vec<NodeId>,
     /// Block-triangular order.
     pub blocks: Vec<Block>,
+    /// What Newton's method would be given by each claim of the model, if it gives anything that fits.
+    pub printed: Vec<Option<Printed>>,
+}
+
+/// Newton's equations as somebody who trusts a claim would code them.
+#[derive(Clone, Debug)]
+pub struct Printed {
+    /// rᵢ: as claimed, or the model's own under a claimed Jacobian.
+    pub residual: Vec<NodeId>,
+    /// All entries row by row: as claimed, or the derivative of a claimed residual.
+    pub jacobian: Vec<NodeId>,
 }
 
 /// What a model says apart from its residual: the roots of a graph of rate Step at most.

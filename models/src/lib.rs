@@ -17,16 +17,16 @@
 )]
 
 pub mod columns;
+pub mod errata;
 pub mod exact;
 pub mod notation;
 pub mod plot;
 pub mod report;
+pub mod study;
 pub mod values;
 
 use ::residua::Catalogued;
 use ::std::fmt;
-
-pub mod study;
 
 include!(concat!(env!("OUT_DIR"), "/catalogue.rs"));
 

@@ -88,6 +88,38 @@ fn check_reports_wrong_claims_without_failing() {
 }
 
 #[test]
+fn errata_lists_verdicts_and_runs_what_is_printed() {
+    let parts = [
+        "residual Eq. 86",
+        "WRONG",
+        "jacobian Eq. 87 of Eq. 86 (line",
+        "FAILED in step 1",
+        "states differ by",
+        "NO SUCH BODY",
+    ];
+    assert_shown("errata spatial_cardan", &parts);
+    let report = parsed("errata planar_algebra planar_angle --json --step 0.01 --steps 10");
+    assert_eq!(report["models"].as_array().unwrap().len(), 2);
+    let claims = report["models"][0]["claims"].as_array().unwrap();
+    let eq_64 = claims.iter().find(|c| c["label"] == "Eq. 64").unwrap();
+    assert_eq!(eq_64["right"], false);
+    assert_eq!(eq_64["newton"]["plan"]["steps"], 10);
+    assert_eq!(report["read_by_eye"].as_array().unwrap().len(), 0);
+    let everything = parsed("errata --json --steps 1");
+    assert!(everything["read_by_eye"].as_array().unwrap().len() > 10);
+}
+
+#[test]
+fn errata_refuses_what_cannot_be() {
+    assert_refused(
+        &residua("errata planar_angel"),
+        2,
+        &["planar_angel", "planar_angle"],
+    );
+    assert_refused(&residua("errata --step 0"), 2, &["step"]);
+}
+
+#[test]
 fn expand_prints_rust() {
     assert_shown("expand planar_reduced", &["pub struct Increment;"]);
 }

@@ -100,29 +100,34 @@ pub struct Equation {
     pub len: usize,
 }
 
-/// A printed Jacobian and what the generator found.
+/// A printed statement and what the generator found.
 #[derive(Debug)]
 pub struct Claim {
+    /// What it is about: `jacobian`, `residual`, `flow`, `equation` or `differential`.
+    pub kind: &'static str,
     /// What the author calls it.
     pub label: &'static str,
+    /// The label of the claimed residual that a Jacobian belongs to.
+    pub of: Option<&'static str>,
     /// Its line in the file.
     pub line: usize,
     /// What differs; empty if the claim is right.
     pub differences: &'static [Difference],
 }
 
-/// An entry, or a block of the wrong shape, in which a claim differs from the derivative.
+/// An entry of a Jacobian, a component of an equation, or a block of the wrong shape, in which a claim is
+/// wrong.
 #[derive(Debug)]
 pub struct Difference {
     /// Row, counted from 0.
     pub row: usize,
     /// Column, counted from 0.
     pub col: usize,
-    /// ∂(equation)/∂(unknown) in words.
+    /// ∂(equation)/∂(unknown), or the component of an equation, in words.
     pub entry: &'static str,
-    /// What is printed.
+    /// What is printed; the right side of an identity.
     pub printed: &'static str,
-    /// The derivative.
+    /// What it should be; the left side of an identity.
     pub derived: &'static str,
     /// Values of both at one generic point.
     pub values: (f64, f64),

@@ -4,5 +4,6 @@ pub mod case;
 pub mod measured;
 pub mod number;
 pub mod points;
+pub mod printed;
 pub mod reference;
 pub mod reference_data;

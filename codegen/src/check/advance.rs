@@ -276,6 +276,7 @@ fn future_state(op: &Op) -> Option<usize> {
         | Op::Identity
         | Op::Parameter(_)
         | Op::Unknown(_)
+        | Op::Variation(_)
         | Op::Time(_)
         | Op::StepSize
         | Op::Neg(_)

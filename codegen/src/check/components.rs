@@ -4,11 +4,16 @@ use super::symbols::Builtin;
 use super::types::Type;
 use super::typing::Typing;
 use crate::ast::ExprId;
+use crate::ast::Level;
 use crate::ast::Name;
 use crate::diagnostic::Range;
 use crate::function::Function;
 use crate::model::Op;
 use crate::model::Shape;
+use crate::model::Solved;
+
+/// `δ(x)` or `delta(x)`, unless the model declares the name.
+const VARIATION: &str = "delta";
 
 impl Typing<'_> {
     /// `f(a, b)`, or `v(i)` of a declared name.
@@ -16,11 +21,38 @@ impl Typing<'_> {
         if let Some(function) = Function::named(&name.ascii) {
             return self.function(function, arguments, range);
         }
+        if name.ascii == VARIATION && self.symbols.find(name).is_none() {
+            return self.variation(&arguments, range);
+        }
         if Builtin::named(&name.ascii).is_none() && self.symbols.find(name).is_none() {
             return self.unknown_function(name, range);
         }
         let variable = self.name(name, None, name.range);
         self.component(variable, &arguments, range)
+    }
+
+    /// `δ(Δx)`, `δ(x[k+1])` or `δ(F)`: the variation of an unknown.
+    fn variation(&mut self, arguments: &[ExprId], range: Range) -> ExprId {
+        if !self.varying {
+            let message =
+                "a variation stands only in `claim differential`, itself and not in a `let`";
+            return self.fail(range, message);
+        }
+        let solved = match arguments {
+            [a] => match self.exprs[a.index()].op {
+                _ if matches!(self.ty(*a), Type::Poison) => return self.poison(range),
+                Op::Increment(i) | Op::State(i, Level::Next) => Some((Solved::State(i), *a)),
+                Op::Unknown(i) => Some((Solved::Own(i), *a)),
+                _ => None,
+            },
+            _ => None,
+        };
+        let Some((solved, unknown)) = solved else {
+            let message = "expected one unknown in the brackets of δ";
+            return self.fail_with_help(range, message, "write δ(Δx), δ(x[k+1]) or δ(F)");
+        };
+        let ty = self.ty(unknown).clone();
+        self.push(Op::Variation(solved), ty, range)
     }
 
     /// `a.x`, `a.y`, `a.z`: component `number` of a vector.

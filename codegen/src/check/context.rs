@@ -8,6 +8,7 @@ use super::symbols::Builtin;
 use super::symbols::Kind;
 use super::symbols::Symbols;
 use super::typing::Typing;
+use crate::ast::ClaimKind;
 use crate::ast::ExprId;
 use crate::ast::ExprKind;
 use crate::ast::Level;
@@ -31,6 +32,14 @@ pub(super) fn check_all<'a>(typing: &mut Typing<'a>, statements: &Statements<'a>
         let roots = list.iter().flat_map(|e| [(None, e.lhs), (None, e.rhs)]);
         check(typing, Context::Flow, roots.collect());
     }
+    let claims = statements
+        .claims
+        .iter()
+        .filter(|c| c.kind == ClaimKind::Flow);
+    let roots = claims
+        .flat_map(|claim| &claim.equations)
+        .flat_map(|e| [(None, e.lhs), (None, e.rhs)]);
+    check(typing, Context::ClaimedFlow, roots.collect());
 }
 
 /// The same for the values of all declarations of one kind, which stand in `context`.
@@ -43,13 +52,14 @@ pub(super) fn check_values(typing: &mut Typing, kind: Kind, context: Context) {
 /// An expression and the name that it gives a value to, if there is one.
 type Root<'a> = (Option<&'a Name>, ExprId);
 
-/// A statement that may not contain all names. The residual, the update and claims may.
+/// A statement that may not contain all names. The residual, the update and claims about them may.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Context {
     Default,
     Guess,
     Start,
     Flow,
+    ClaimedFlow,
     Output,
     /// On the command line.
     Value,
@@ -63,6 +73,7 @@ impl Context {
             Context::Guess => "the first guess",
             Context::Start => "the start value",
             Context::Flow => "the flow",
+            Context::ClaimedFlow => "a claimed flow",
             Context::Output => "the output",
             Context::Value => return "the value".to_owned(),
         };
@@ -81,7 +92,9 @@ impl Context {
             }
             Context::Guess => "it may contain parameters, h, t and states at step k",
             Context::Start | Context::Value => "it may contain parameters only",
-            Context::Flow => "it may contain parameters, t, states and rates, without time levels",
+            Context::Flow | Context::ClaimedFlow => {
+                "it may contain parameters, t, states and rates, without time levels"
+            }
             Context::Output => "it may contain parameters, h, t and states, without time levels",
         }
     }
@@ -98,7 +111,9 @@ impl Context {
                     | State(None | Some(Level::Now))
             ),
             Context::Start | Context::Value => mention == Parameter,
-            Context::Flow => matches!(mention, Parameter | Rate | Time(None) | State(None)),
+            Context::Flow | Context::ClaimedFlow => {
+                matches!(mention, Parameter | Rate | Time(None) | State(None))
+            }
             Context::Output => matches!(mention, Parameter | StepSize | Time(None) | State(None)),
         }
     }

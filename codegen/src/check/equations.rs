@@ -4,6 +4,7 @@ use super::statements::Block;
 use super::types::Type;
 use super::typing::Typing;
 use crate::ast;
+use crate::ast::ClaimKind;
 use crate::ast::ExprId;
 use crate::model::Claim;
 use crate::model::Equation;
@@ -66,15 +67,34 @@ impl Typing<'_> {
                     .map(|(id, text)| (self.expression(*id), text.clone()));
                 blocks.push(typed.collect());
             }
+            self.varying = claim.kind == ClaimKind::Differential;
+            let equations = self.equations(&claim.equations);
+            self.varying = false;
             claims.push(Claim {
+                kind: claim.kind,
                 label: claim.label.clone(),
+                of: self.claimed_residual(claim, list),
                 required: claim.required,
                 blocks,
+                equations,
                 range: claim.range,
             });
         }
         self.lenient = false;
         claims
+    }
+
+    /// Where among the claims the residual stands that `claim` is the Jacobian of.
+    fn claimed_residual(&mut self, claim: &ast::Claim, list: &[&ast::Claim]) -> Option<usize> {
+        let (label, range) = claim.of.as_ref()?;
+        let found = list
+            .iter()
+            .position(|c| c.kind == ClaimKind::Residual && c.label == *label);
+        if found.is_none() {
+            let message = format!("there is no `claim residual {label:?}`");
+            self.errors.push(*range, message);
+        }
+        found
     }
 
     /// All that `roots` are made of, operands first.

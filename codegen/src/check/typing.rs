@@ -67,6 +67,8 @@ pub(super) struct Typing<'a> {
     pub(super) second: ComponentUnit,
     /// Units are not compared, as inside claims.
     pub(super) lenient: bool,
+    /// `δ(…)` may stand here: in a claimed differential.
+    pub(super) varying: bool,
     /// A unit got an exponent that is too large.
     out_of_bounds: bool,
     operations: usize,
@@ -92,6 +94,7 @@ impl<'a> Typing<'a> {
             typed: vec![None; source.len()],
             second,
             lenient: false,
+            varying: false,
             out_of_bounds: false,
             operations: 0,
             repeated: BTreeMap::new(),
@@ -265,6 +268,7 @@ impl<'a> Typing<'a> {
             | Op::Increment(_)
             | Op::Rate(_)
             | Op::Unknown(_)
+            | Op::Variation(_)
             | Op::Time(_)
             | Op::StepSize
             | Op::Pow(..)

@@ -41,7 +41,7 @@ pub fn to_f64(value: &BigRational) -> f64 {
     value.to_f64().unwrap_or(f64::NAN)
 }
 
-fn call(function: Elementary, x: f64, y: f64) -> f64 {
+pub(super) fn call(function: Elementary, x: f64, y: f64) -> f64 {
     match function {
         Elementary::Sin => x.sin(),
         Elementary::Cos => x.cos(),

@@ -154,7 +154,11 @@ fn count(count: Count) -> TokenStream {
 }
 
 fn claim(finding: &Finding) -> TokenStream {
-    let (label, line) = (&finding.label, whole(finding.line));
+    let (kind, label, line) = (finding.kind.keyword(), &finding.label, whole(finding.line));
+    let of = match &finding.of {
+        Some(label) => quote!(::core::option::Option::Some(#label)),
+        None => quote!(::core::option::Option::None),
+    };
     let differences = finding.differences.iter().map(|difference| {
         let Difference {
             entry,
@@ -178,7 +182,9 @@ fn claim(finding: &Finding) -> TokenStream {
     });
     quote! {
         ::residua::description::Claim {
+            kind: #kind,
             label: #label,
+            of: #of,
             line: #line,
             differences: &[#(#differences),*],
         }

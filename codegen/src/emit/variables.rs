@@ -63,6 +63,7 @@ impl Variables {
             Leaf::Time => "t",
             Leaf::State(i) => &self.states[i],
             Leaf::Unknown(i) => &self.unknowns[i],
+            Leaf::Variation(_) => "δ",
         }
     }
 

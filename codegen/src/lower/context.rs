@@ -159,6 +159,7 @@ impl<'m> Context<'m> {
     fn dependencies(&self, id: ExprId) -> Vec<ExprId> {
         match &self.model.expr(id).op {
             Op::Number(_) | Op::Pi | Op::Identity | Op::Parameter(_) | Op::Unknown(_) => Vec::new(),
+            Op::Variation(_) => Vec::new(),
             Op::Time(_) | Op::StepSize | Op::State(_, Level::Now | Level::Previous) => Vec::new(),
             Op::State(i, Level::Half | Level::Next) | Op::Increment(i) | Op::Rate(i) => {
                 let state = &self.model.states[*i];
@@ -198,6 +199,7 @@ impl<'m> Context<'m> {
                 );
                 Value::Matrix(self.leaves(shape, |c| Leaf::Unknown(offset + c)))
             }
+            Op::Variation(solved) => self.variation(id, solved),
             Op::Time(level) => scalar(self.time(level)),
             Op::StepSize => scalar(self.dag.leaf(Leaf::StepSize)),
             Op::Neg(a) => {
@@ -272,6 +274,23 @@ impl<'m> Context<'m> {
                 (Meaning::Discrete(Form::Next) | Meaning::Continuous, _) => self.unknown(i),
             },
         }
+    }
+
+    /// δ of the unknown that `solved` brings into the system.
+    fn variation(&mut self, id: ExprId, solved: Solved) -> Value {
+        let model = self.model;
+        if !model.solved.contains(&solved) {
+            let name = &model.solved_variable(solved).name.display;
+            let message =
+                format!("`{name}` is advanced by `update`, so it has no variation of its own");
+            self.errors.push(model.expr(id).range, message);
+        }
+        let offset = match solved {
+            Solved::State(i) => self.unknown_of_state[i],
+            Solved::Own(i) => self.unknown_of_own[i],
+        };
+        let shape = model.solved_variable(solved).shape;
+        Value::Matrix(self.leaves(shape, |c| Leaf::Variation(offset + c)))
     }
 
     fn increment(&mut self, i: usize) -> Matrix {

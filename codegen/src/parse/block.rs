@@ -12,6 +12,7 @@ use super::name::Spelling;
 use super::tokens::Kind;
 use crate::ast::Assignment;
 use crate::ast::Claim;
+use crate::ast::ClaimKind;
 use crate::ast::Equation;
 use crate::ast::ExprId;
 use crate::ast::Item;
@@ -85,23 +86,39 @@ impl Parser {
         keyword: Range,
         required: bool,
     ) -> Parsed<Item> {
-        for word in required.then_some("claim").into_iter().chain(["jacobian"]) {
-            if !cursor.eat_word(word) {
-                return Err(cursor.unexpected(&format!("`{word}`")));
-            }
+        if required && !cursor.eat_word("claim") {
+            return Err(cursor.unexpected("`claim`"));
         }
-        let no_label = cursor.unexpected("a label such as \"Eq. 50\"");
-        let label = match cursor.peek() {
-            Some(Kind::Literal(literal)) => super::string_value(literal),
-            _ => None,
+        let kind = ClaimKind::ALL
+            .into_iter()
+            .find(|kind| cursor.eat_word(kind.keyword()));
+        let kind = kind.ok_or_else(|| {
+            let words = ClaimKind::ALL.map(|kind| format!("`{}`", kind.keyword()));
+            cursor.unexpected(&words.join(", "))
+        })?;
+        let (label, _) = label(cursor)?;
+        let of = if kind == ClaimKind::Jacobian && cursor.eat_word("of") {
+            Some(self::label(cursor)?)
+        } else {
+            None
         };
-        let label = label.ok_or(no_label)?;
-        cursor.skip();
-        let inside = cursor.enter(Delimiter::Brace)?;
+        let (mut blocks, mut equations) = (Vec::new(), Vec::new());
+        match kind {
+            ClaimKind::Jacobian => {
+                blocks = self.claimed_blocks(cursor.enter(Delimiter::Brace)?)?;
+            }
+            ClaimKind::Residual
+            | ClaimKind::Flow
+            | ClaimKind::Equation
+            | ClaimKind::Differential => equations = self.equations(cursor, "write `… = …;`")?,
+        }
         Ok(Item::Claim(Claim {
+            kind,
             label,
+            of,
             required,
-            blocks: self.claimed_blocks(inside)?,
+            blocks,
+            equations,
             range: keyword.to(cursor.previous()),
         }))
     }
@@ -149,4 +166,19 @@ impl Parser {
         }
         list
     }
+}
+
+/// `"Eq. 50"`
+fn label(cursor: &mut Cursor) -> Parsed<(String, Range)> {
+    let (range, missing) = (
+        cursor.here(),
+        cursor.unexpected("a label such as \"Eq. 50\""),
+    );
+    let text = match cursor.peek() {
+        Some(Kind::Literal(literal)) => super::string_value(literal),
+        _ => None,
+    };
+    let text = text.ok_or(missing)?;
+    cursor.skip();
+    Ok((text, range))
 }

@@ -43,6 +43,7 @@ fn leaf_value(leaf: Leaf) -> f64 {
         Leaf::Time => 0.7,
         Leaf::State(i) => 0.5 - 0.3 * i as f64,
         Leaf::Unknown(i) => -0.2 + 0.45 * i as f64,
+        Leaf::Variation(_) => f64::NAN,
     }
 }
 

@@ -653,7 +653,9 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
     ],
     claims: &[
         ::residua::description::Claim {
+            kind: "jacobian",
             label: "misprinted",
+            of: ::core::option::Option::None,
             line: 36,
             differences: &[
                 ::residua::description::Difference {

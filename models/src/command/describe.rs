@@ -88,14 +88,18 @@ pub struct Operations {
     pub calls: usize,
 }
 
-/// A printed Jacobian.
+/// A printed statement.
 #[derive(Serialize)]
 pub struct Claim {
+    /// What it is about.
+    pub kind: &'static str,
     /// What its author calls it.
     pub label: &'static str,
+    /// The claimed residual that a Jacobian belongs to.
+    pub of: Option<&'static str>,
     /// Line in the file.
     pub line: usize,
-    /// Entries that differ from the derivative.
+    /// Entries in which it is wrong.
     pub wrong_entries: usize,
 }
 
@@ -113,7 +117,9 @@ pub fn describe(model: &Catalogued) -> Model {
             .collect()
     };
     let claims = description.claims.iter().map(|claim| Claim {
+        kind: claim.kind,
         label: claim.label,
+        of: claim.of,
         line: claim.line,
         wrong_entries: claim.differences.len(),
     });

@@ -5,6 +5,7 @@ mod assignment;
 mod check;
 mod describe;
 mod diagnose;
+mod errata;
 mod expand;
 mod expression;
 mod failure;
@@ -37,6 +38,7 @@ enum Verb {
     List(list::List),
     Simulate(simulate::Simulate),
     Check(check::Check),
+    Errata(errata::Errata),
     Expand(expand::Expand),
     Report(report::Report),
     New(new::New),
@@ -47,6 +49,7 @@ fn main() -> ExitCode {
         Verb::List(list) => list.run(),
         Verb::Simulate(simulate) => simulate.run(),
         Verb::Check(check) => check.run(),
+        Verb::Errata(errata) => errata.run(),
         Verb::Expand(expand) => expand.run(),
         Verb::Report(report) => report.run(),
         Verb::New(new) => new.run(),

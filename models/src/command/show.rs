@@ -3,6 +3,7 @@
 use crate::describe::{Block, Form, Model, Quantity};
 use crate::notation::{unit, value};
 use crate::table::Table;
+use residua_models::errata::title;
 use std::io::{self, Write};
 
 /// Prints a model.
@@ -27,7 +28,8 @@ pub fn show(model: &Model, out: &mut impl Write) -> io::Result<()> {
             1 => "wrong in 1 entry".to_owned(),
             n => format!("wrong in {n} entries"),
         };
-        writeln!(out, "  {} (line {}): {verdict}", claim.label, claim.line)?;
+        let title = title(claim.kind, claim.label, claim.of);
+        writeln!(out, "  {title} (line {}): {verdict}", claim.line)?;
     }
     let flow = if model.flow { "yes" } else { "no" };
     writeln!(out, "\ncontinuous equations: {flow}")

@@ -127,33 +127,37 @@ pub struct InvariantReport {
     pub drift: Decay,
 }
 
-/// A printed Jacobian.
+/// A printed statement.
 #[derive(Serialize)]
 pub struct ClaimReport {
+    /// What it is about.
+    pub kind: &'static str,
     /// What its author calls it.
     pub label: &'static str,
+    /// The claimed residual that a Jacobian belongs to.
+    pub of: Option<&'static str>,
     /// Line in the file.
     pub line: usize,
     /// Entries that differ; none if it is right.
     pub differences: Vec<EntryReport>,
 }
 
-/// An entry of a printed Jacobian that differs from the derivative.
+/// An entry of a Jacobian, or a component of an equation, in which a claim is wrong.
 #[derive(Serialize)]
 pub struct EntryReport {
     /// Counted from 1.
     pub row: usize,
     /// Counted from 1.
     pub col: usize,
-    /// ∂(equation)/∂(unknown) in words.
+    /// ∂(equation)/∂(unknown), or the component, in words.
     pub entry: &'static str,
     /// What is printed.
     pub printed: &'static str,
-    /// The derivative.
+    /// What it should be.
     pub derived: &'static str,
     /// Value of what is printed at one generic point.
     pub printed_value: f64,
-    /// Value of the derivative there.
+    /// Value of what it should be there.
     pub derived_value: f64,
 }
 
@@ -170,7 +174,9 @@ impl ClaimReport {
             derived_value: difference.values.1,
         };
         Self {
+            kind: claim.kind,
             label: claim.label,
+            of: claim.of,
             line: claim.line,
             differences: claim.differences.iter().map(entry).collect(),
         }

@@ -4,6 +4,7 @@ use super::report::{
     ClaimReport, Consistency, EntryReport, InvariantReport, JacobianReport, ModelReport, RunReport,
     SolverReport,
 };
+use residua_models::errata::title;
 use std::fmt;
 
 impl fmt::Display for ModelReport {
@@ -94,14 +95,17 @@ impl fmt::Display for JacobianReport {
 impl fmt::Display for ClaimReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self {
+            kind,
             label,
+            of,
             line,
             differences,
         } = self;
+        let title = title(kind, label, *of);
         match differences.len() {
-            0 => writeln!(f, "  claim {label} (line {line}): right")?,
-            1 => writeln!(f, "  claim {label} (line {line}): WRONG in 1 entry")?,
-            n => writeln!(f, "  claim {label} (line {line}): WRONG in {n} entries")?,
+            0 => writeln!(f, "  claim {title} (line {line}): right")?,
+            1 => writeln!(f, "  claim {title} (line {line}): WRONG in 1 entry")?,
+            n => writeln!(f, "  claim {title} (line {line}): WRONG in {n} entries")?,
         }
         for difference in differences {
             let EntryReport {

@@ -1,0 +1,138 @@
+//! Claimed equations against what they should say.
+
+use super::misfit;
+use super::names::Names;
+use super::points::Points;
+use super::points::close;
+use crate::dag::NodeId;
+use crate::finding::Difference;
+use crate::model::Claim;
+use crate::model::Equation;
+
+/// Left − right of every component of a claim, and what it should be.
+pub(super) struct Against<'a> {
+    pub(super) printed: &'a [NodeId],
+    /// A component of the model's residual, or of its variation.
+    pub(super) derived: &'a [NodeId],
+    /// Printed − derived.
+    pub(super) gaps: &'a [NodeId],
+}
+
+/// The components of `claim` against those of the model, equation by equation and up to a factor in each.
+pub(super) fn against(
+    names: &Names,
+    points: &Points,
+    claim: &Claim,
+    Against {
+        printed,
+        derived,
+        gaps,
+    }: &Against,
+) -> Vec<Difference> {
+    let own = &names.model.residual;
+    let lengths =
+        |list: &[Equation]| -> Vec<usize> { list.iter().map(|e| e.shape.len()).collect() };
+    if lengths(&claim.equations) != lengths(own) {
+        let said = |list: &[Equation]| {
+            let shapes: Vec<_> = list.iter().map(|e| e.shape.to_string()).collect();
+            format!("{} equations: {}", list.len(), shapes.join(", "))
+        };
+        return vec![misfit(said(&claim.equations), said(own))];
+    }
+    let mut differences = Vec::new();
+    let mut offset = 0;
+    for equation in own {
+        let rows = offset..offset + equation.shape.len();
+        offset = rows.end;
+        let factor = common_factor(points, &printed[rows.clone()], &derived[rows.clone()]);
+        for row in rows {
+            if let Some(values) = points.disagreement(printed[row], derived[row], factor) {
+                let is_long = names.text(derived[row]).ends_with('…');
+                // Of two long texts only the difference shows the slip.
+                let text = if is_long && factor == 1.0 {
+                    format!("what is right + ({})", names.text(gaps[row]))
+                } else {
+                    names.text(printed[row])
+                };
+                differences.push(Difference {
+                    row,
+                    col: 0,
+                    entry: names.row(&claim.equations, row),
+                    printed: text,
+                    derived: times(factor, names.text(derived[row])),
+                    values,
+                });
+            }
+        }
+    }
+    differences
+}
+
+/// Left and right of every component of `claim`.
+pub(super) fn identity(
+    names: &Names,
+    points: &Points,
+    claim: &Claim,
+    sides: &[(NodeId, NodeId)],
+) -> Vec<Difference> {
+    let mut differences = Vec::new();
+    for (row, &(left, right)) in sides.iter().enumerate() {
+        if let Some((right_value, left_value)) = points.disagreement(right, left, 1.0) {
+            differences.push(Difference {
+                row,
+                col: 0,
+                entry: names.row(&claim.equations, row),
+                printed: names.text(right),
+                derived: names.text(left),
+                values: (right_value, left_value),
+            });
+        }
+    }
+    differences
+}
+
+/// The equations of `claim`, `printed` being left − right, and `along` the same at the model's rates.
+pub(super) fn vanishing(
+    names: &Names,
+    points: &Points,
+    claim: &Claim,
+    printed: &[NodeId],
+    along: &[NodeId],
+) -> Vec<Difference> {
+    let mut differences = Vec::new();
+    for (row, (&printed, &along)) in printed.iter().zip(along).enumerate() {
+        if let Some((value, _)) = points.disagreement(along, along, 0.0) {
+            differences.push(Difference {
+                row,
+                col: 0,
+                entry: names.row(&claim.equations, row),
+                printed: names.text(printed),
+                derived: "0".to_owned(),
+                values: (value, 0.0),
+            });
+        }
+    }
+    differences
+}
+
+/// The factor between printed and derived that most components of an equation have; 1 if none has any.
+fn common_factor(points: &Points, printed: &[NodeId], derived: &[NodeId]) -> f64 {
+    let pairs = printed.iter().zip(derived);
+    let ratios: Vec<f64> = pairs.filter_map(|(&p, &d)| points.ratio(p, d)).collect();
+    let votes = |ratio: f64| ratios.iter().filter(|r| close(**r, ratio)).count();
+    let mut factor = 1.0;
+    for &ratio in &ratios {
+        if votes(ratio) > votes(factor) {
+            factor = ratio;
+        }
+    }
+    if close(factor, 1.0) { 1.0 } else { factor }
+}
+
+fn times(factor: f64, text: String) -> String {
+    if factor == 1.0 {
+        text
+    } else {
+        format!("{}*({text})", (factor * 1e9).round() / 1e9)
+    }
+}
