@@ -21,7 +21,7 @@ fn main() -> io::Result<()> {
         add(&path, &fs::read(&path)?, &mut modules, &mut entries);
     }
     let catalogue = format!(
-        "{modules}\n/// Every model, by name.\npub static CATALOGUE: &[Entry] = &[\n{entries}];\n"
+        "{modules}\n/// Every model, by name.\npub static CATALOGUE: &[crate::Entry] = &[\n{entries}];\n"
     );
     let out = PathBuf::from(env::var_os("OUT_DIR").unwrap_or_default()).join("catalogue.rs");
     fs::write(out, catalogue)
@@ -58,8 +58,9 @@ fn add(path: &Path, bytes: &[u8], modules: &mut String, entries: &mut String) {
     match read_source(bytes) {
         Ok(_) => {
             modules.push_str(&include);
-            let entry =
-                format!("Entry {{ catalogued: &{stem}::MODEL, source: include_str!({file}) }}");
+            let entry = format!(
+                "crate::Entry {{ catalogued: &{stem}::MODEL, source: include_str!({file}) }}"
+            );
             let _ = writeln!(entries, "    {entry},");
         }
         // rustc's own lexer shows these in the file; without an entry nothing follows from them.

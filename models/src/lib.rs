@@ -28,7 +28,12 @@ pub mod values;
 use ::residua::Catalogued;
 use ::std::fmt;
 
-include!(concat!(env!("OUT_DIR"), "/catalogue.rs"));
+pub use dsl::CATALOGUE;
+
+/// The models, each a module of the name of its file.
+pub mod dsl {
+    include!(concat!(env!("OUT_DIR"), "/catalogue.rs"));
+}
 
 /// A model file and what became of it.
 #[derive(Clone, Copy)]

@@ -4,9 +4,9 @@ mod support;
 
 use residua::Model as _;
 use residua::Stepper;
-use residua_models::planar_reduced::Increment;
-use residua_models::planar_reduced::Model;
-use residua_models::planar_reduced::Parameters;
+use residua_models::dsl::planar_reduced::Increment;
+use residua_models::dsl::planar_reduced::Model;
+use residua_models::dsl::planar_reduced::Parameters;
 use residua_models::report::page::Block;
 use residua_models::report::page::Cell;
 use residua_models::report::page::Data;

@@ -6,7 +6,7 @@
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use nalgebra::{Const, DimMin};
 use residua::{Model, Record, Solvable, Stepper};
-use residua_models as models;
+use residua_models::dsl as models;
 use residua_tests::reference::{
     Form, nalgebra_step, planar_algebra, planar_angle, planar_cayley, planar_group,
     planar_recursive, planar_reduced, spatial_cardan, spatial_group, spatial_recursive,

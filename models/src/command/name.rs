@@ -1,8 +1,5 @@
 //! What a model may be called. Shared with the build script.
 
-/// Modules of the library, beside which the models' own modules stand.
-const TAKEN: [&str; 6] = ["columns", "exact", "notation", "plot", "report", "values"];
-
 /// Checks the stem of a model file, which becomes a Rust module: lower-case ASCII, no keyword.
 pub fn check(name: &str) -> Result<(), String> {
     let starts_well = name.starts_with(|c: char| c.is_ascii_lowercase());
@@ -12,11 +9,6 @@ pub fn check(name: &str) -> Result<(), String> {
     if !starts_well || !goes_on_well {
         return Err(format!(
             "`{name}` cannot name a model: write lower-case letters, digits and `_`, starting with a letter"
-        ));
-    }
-    if TAKEN.contains(&name) {
-        return Err(format!(
-            "`{name}` cannot name a model: the library has a module of this name"
         ));
     }
     syn::parse_str::<syn::Ident>(name)

@@ -11,9 +11,9 @@ use super::Invalid;
 use super::error::finite;
 use super::error::positive;
 use super::extrapolation;
-use crate::spatial_group::Model;
-use crate::spatial_group::Parameters;
-use crate::spatial_group::State;
+use crate::dsl::spatial_group::Model;
+use crate::dsl::spatial_group::Parameters;
+use crate::dsl::spatial_group::State;
 
 /// Angle turned in the longest step, rad. Shorter steps cost more, and so do longer ones, which need more columns.
 const LONGEST_TURN: f64 = 1.5;

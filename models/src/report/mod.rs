@@ -4,6 +4,7 @@
 //! HTML file with CSV files beside it.
 
 mod conclusions;
+mod errata;
 mod figures;
 mod html;
 mod maps;
@@ -31,6 +32,7 @@ pub fn report(progress: &ProgressBar) -> Result<Page, RunError> {
             schemes::section(progress)?,
             maps::section(progress),
             conclusions::section(progress)?,
+            errata::section(progress)?,
         ],
     })
 }

@@ -66,6 +66,8 @@ pub enum RunError {
     Exact(Invalid),
     /// The recording has no such column.
     Column(String),
+    /// The claims of a model could not be judged.
+    Claims(String),
 }
 
 impl fmt::Display for RunError {
@@ -76,6 +78,7 @@ impl fmt::Display for RunError {
             Self::Flow(wanted) => write!(f, "`{}` has no continuous equations", wanted.model),
             Self::Exact(invalid) => invalid.fmt(f),
             Self::Column(name) => write!(f, "no quantity `{name}` was recorded"),
+            Self::Claims(why) => f.write_str(why),
         }
     }
 }

@@ -1,0 +1,216 @@
+//! Misprints: what the models find in the paper, and what was read by eye.
+
+use super::page::Block;
+use super::page::Cell;
+use super::page::Data;
+use super::page::Section;
+use super::page::Table;
+use super::runs::RunError;
+use crate::CATALOGUE;
+use crate::errata::Errata;
+use crate::errata::Verdict;
+use crate::errata::by_eye::SLIPS;
+use crate::errata::data::Body;
+use crate::errata::data::body;
+use crate::errata::errata;
+use crate::errata::newton::Comparison;
+use crate::errata::newton::Plan;
+use crate::errata::newton::Run;
+use crate::errata::title;
+use crate::notation::rounded;
+use indicatif::ProgressBar;
+
+/// The section.
+///
+/// # Errors
+/// Models that do not compile, of which the catalogue has none.
+pub fn section(progress: &ProgressBar) -> Result<Section, RunError> {
+    progress.inc_length(CATALOGUE.len() as u64);
+    let mut models = Vec::new();
+    for entry in CATALOGUE {
+        models.push(errata(entry, &Plan::default()).map_err(RunError::Claims)?);
+        progress.inc(1);
+    }
+    let claims: usize = models.iter().map(|model| model.claims.len()).sum();
+    let text = format!(
+        "The model files state {claims} equations as the paper prints them. The generator compares each with what follows \
+         from the model: a Jacobian with the derivative of the residual, a residual with the model’s, continuous \
+         equations with its flow, an identity with itself, at generic points. Where somebody who codes the printed \
+         version would run Newton’s method with it, so does this page."
+    );
+    Ok(Section {
+        id: "errata".to_owned(),
+        title: "Errata".to_owned(),
+        blocks: vec![Block::Text(text)],
+        parts: vec![wrong(&models), right(&models), bodies(), by_eye()],
+    })
+}
+
+fn part(id: &str, title: &str, blocks: Vec<Block>) -> Section {
+    Section {
+        id: format!("errata-{id}"),
+        title: title.to_owned(),
+        blocks,
+        parts: Vec::new(),
+    }
+}
+
+fn wrong(models: &[Errata]) -> Section {
+    let mut entries = Data::new(&["model", "claim", "entry", "printed", "right", "decided by"]);
+    let mut newton = Data::new(&["model", "claim", "as printed", "right", "states differ by"]);
+    for (model, claim) in claims(models) {
+        for misprint in &claim.differences {
+            entries.row([
+                Cell::Code(model.to_owned()),
+                name(claim).into(),
+                misprint.entry.as_str().into(),
+                Cell::Code(misprint.printed.clone()),
+                Cell::Code(misprint.right.clone()),
+                claim.decided.as_str().into(),
+            ]);
+        }
+        if let Some(comparison) = &claim.newton {
+            let Comparison {
+                printed,
+                right,
+                difference,
+                ..
+            } = comparison;
+            newton.row([
+                Cell::Code(model.to_owned()),
+                name(claim).into(),
+                run(printed).into(),
+                run(right).into(),
+                difference.map(|d| Cell::number(d, 2)).into(),
+            ]);
+        }
+    }
+    let Plan { h, steps } = Plan::default();
+    let tables = [
+        (
+            "errata-entries",
+            "Entries in which a printed statement is wrong.".to_owned(),
+            entries,
+        ),
+        (
+            "errata-newton",
+            format!(
+                "Newton’s method with the printed Jacobian or residual: {steps} steps of {h} s from the model’s start."
+            ),
+            newton,
+        ),
+    ];
+    let blocks = tables.map(|(csv, caption, data)| {
+        Block::Table(Table {
+            csv: csv.to_owned(),
+            caption,
+            data,
+        })
+    });
+    part("wrong", "Found wrong by the generator", blocks.into())
+}
+
+/// `7.9 iterations per step`, `fails in step 1`
+fn run(run: &Run) -> String {
+    let pace = format!("{} iterations per step", rounded(run.mean_iterations, 2));
+    match (&run.failure, run.steps) {
+        (None, _) => pace,
+        (Some(failure), 0) => format!("fails in step 1: {failure}"),
+        (Some(failure), steps) => format!("{pace}; fails in step {}: {failure}", steps + 1),
+    }
+}
+
+fn right(models: &[Errata]) -> Section {
+    let mut list = Vec::new();
+    for model in models {
+        let names = model.claims.iter().filter(|claim| claim.right).map(name);
+        let names: Vec<String> = names.collect();
+        if !names.is_empty() {
+            list.push(format!("{}: {}", model.model, names.join(", ")));
+        }
+    }
+    part(
+        "right",
+        "Found right by the generator",
+        vec![Block::List(list)],
+    )
+}
+
+fn claims(models: &[Errata]) -> impl Iterator<Item = (&str, &Verdict)> {
+    models.iter().flat_map(|model| {
+        model
+            .claims
+            .iter()
+            .map(|claim| (model.model.as_str(), claim))
+    })
+}
+
+fn name(claim: &Verdict) -> String {
+    title(claim.kind, &claim.label, claim.of.as_deref())
+}
+
+fn bodies() -> Section {
+    let text = "About the pivot the moment of inertia of a body is at least m l², the part of its centre of mass \
+                (Steiner). What is left about the centre of mass must not be negative.";
+    let mut data = Data::new(&[
+        "model",
+        "J [kg m²]",
+        "m l² [kg m²]",
+        "J − m l² [kg m²]",
+        "such a body",
+    ]);
+    for Body {
+        model,
+        pivot,
+        offset,
+        central,
+    } in CATALOGUE.iter().filter_map(|e| body(e.catalogued))
+    {
+        let exists = if central > 0.0 {
+            "exists"
+        } else {
+            "does not exist"
+        };
+        data.row([
+            Cell::Code(model.to_owned()),
+            Cell::given(pivot),
+            Cell::given(offset),
+            Cell::given(central),
+            exists.into(),
+        ]);
+    }
+    let table = Table {
+        csv: "errata-data".to_owned(),
+        caption: "The data of Section 6, about the pivot.".to_owned(),
+        data,
+    };
+    part(
+        "data",
+        "The data of Section 6",
+        vec![Block::Text(text.to_owned()), Block::Table(table)],
+    )
+}
+
+fn by_eye() -> Section {
+    let text = "What no tool can decide: labels, words, and what may be a fault of the extracted text only. These were \
+                read by eye.";
+    let mut data = Data::new(&["place", "printed", "right", "why", "sure"]);
+    for slip in SLIPS {
+        let sure = if slip.doubtful {
+            "perhaps the extracted text only"
+        } else {
+            "yes"
+        };
+        data.row([slip.place, slip.printed, slip.right, slip.reason, sure].map(Cell::from));
+    }
+    let table = Table {
+        csv: "errata-by-eye".to_owned(),
+        caption: "Read by eye.".to_owned(),
+        data,
+    };
+    part(
+        "by-eye",
+        "Read by eye",
+        vec![Block::Text(text.to_owned()), Block::Table(table)],
+    )
+}
