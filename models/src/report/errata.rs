@@ -13,12 +13,14 @@ use crate::errata::by_eye::SLIPS;
 use crate::errata::data::Body;
 use crate::errata::data::body;
 use crate::errata::errata;
-use crate::errata::newton::Comparison;
 use crate::errata::newton::Plan;
 use crate::errata::newton::Run;
 use crate::errata::title;
 use crate::notation::rounded;
 use indicatif::ProgressBar;
+
+/// Most characters of a formula in the summary.
+const LONGEST: usize = 60;
 
 /// The section.
 ///
@@ -56,8 +58,19 @@ fn part(id: &str, title: &str, blocks: Vec<Block>) -> Section {
 }
 
 fn wrong(models: &[Errata]) -> Section {
+    let mut summary = Data::new(&[
+        "claim",
+        "model",
+        "wrong in",
+        "the first",
+        "printed",
+        "right",
+        "Newton as printed",
+        "Newton",
+        "states differ by",
+    ]);
     let mut entries = Data::new(&["model", "claim", "entry", "printed", "right", "decided by"]);
-    let mut newton = Data::new(&["model", "claim", "as printed", "right", "states differ by"]);
+    let mut newton_only = Vec::new();
     for (model, claim) in claims(models) {
         for misprint in &claim.differences {
             entries.row([
@@ -69,45 +82,59 @@ fn wrong(models: &[Errata]) -> Section {
                 claim.decided.as_str().into(),
             ]);
         }
-        if let Some(comparison) = &claim.newton {
-            let Comparison {
-                printed,
-                right,
-                difference,
-                ..
-            } = comparison;
-            newton.row([
-                Cell::Code(model.to_owned()),
+        let newton = claim.newton.as_ref();
+        if let Some(first) = claim.differences.first() {
+            let runs = newton.map(|newton| (run(&newton.printed), run(&newton.right)));
+            let (printed, right) = runs.unzip();
+            summary.row([
                 name(claim).into(),
-                run(printed).into(),
-                run(right).into(),
-                difference.map(|d| Cell::number(d, 2)).into(),
+                Cell::Code(model.to_owned()),
+                Cell::Count(claim.differences.len() as u64),
+                first.entry.as_str().into(),
+                Cell::Code(shortened(&first.printed)),
+                Cell::Code(shortened(&first.right)),
+                printed.into(),
+                right.into(),
+                newton
+                    .and_then(|n| n.difference)
+                    .map(|d| Cell::number(d, 2))
+                    .into(),
             ]);
+        } else if let Some(newton) = newton {
+            newton_only.push(format!(
+                "{} is right, but with it and what it belongs to, Newton’s method in {model} {}; states end {} apart.",
+                name(claim),
+                run(&newton.printed),
+                newton.difference.map_or("nowhere".to_owned(), |d| rounded(d, 2))
+            ));
         }
     }
     let Plan { h, steps } = Plan::default();
-    let tables = [
-        (
-            "errata-entries",
-            "Entries in which a printed statement is wrong.".to_owned(),
-            entries,
+    let mut blocks = vec![Block::Table(Table {
+        csv: "errata-wrong".to_owned(),
+        caption: format!(
+            "Printed statements that are wrong, with the first entry of each. Newton’s method with the printed Jacobian or \
+             residual and with the right one: {steps} steps of {h} s from the model’s start."
         ),
-        (
-            "errata-newton",
-            format!(
-                "Newton’s method with the printed Jacobian or residual: {steps} steps of {h} s from the model’s start."
-            ),
-            newton,
-        ),
-    ];
-    let blocks = tables.map(|(csv, caption, data)| {
-        Block::Table(Table {
-            csv: csv.to_owned(),
-            caption,
-            data,
-        })
-    });
-    part("wrong", "Found wrong by the generator", blocks.into())
+        data: summary,
+    })];
+    if !newton_only.is_empty() {
+        blocks.push(Block::List(newton_only));
+    }
+    blocks.push(Block::Folded(Table {
+        csv: "errata-entries".to_owned(),
+        caption: "Entry by entry.".to_owned(),
+        data: entries,
+    }));
+    part("wrong", "Found wrong by the generator", blocks)
+}
+
+/// The start of a formula that is too long for a table.
+fn shortened(formula: &str) -> String {
+    match formula.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{} …", &formula[..end]),
+        None => formula.to_owned(),
+    }
 }
 
 /// `7.9 iterations per step`, `fails in step 1`

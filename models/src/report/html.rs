@@ -101,6 +101,10 @@ fn block(block: &Block) -> Result<String, String> {
         Block::Facts(facts) => self::facts(facts),
         Block::Figure(figure) => self::figure(figure)?,
         Block::Table(table) => self::table(table),
+        Block::Folded(table) => {
+            let (rows, table) = (table.data.rows.len(), self::table(table));
+            format!("<details>\n<summary>{rows} rows</summary>\n{table}</details>\n")
+        }
         Block::Verdict(verdict) => self::verdict(verdict),
     })
 }

@@ -28,10 +28,10 @@ pub fn report(progress: &ProgressBar) -> Result<Page, RunError> {
                the paper's equations and compared with exact solutions."
             .to_owned(),
         sections: vec![
+            conclusions::section(progress)?,
             figures::section(progress)?,
             schemes::section(progress)?,
             maps::section(progress),
-            conclusions::section(progress)?,
             errata::section(progress)?,
         ],
     })

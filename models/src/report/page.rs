@@ -48,6 +48,8 @@ pub enum Block {
     Figure(Figure),
     /// Numbers.
     Table(Table),
+    /// A long table, closed until it is asked for; not in print.
+    Folded(Table),
     /// A statement, judged.
     Verdict(Verdict),
 }
@@ -255,7 +257,7 @@ impl Page {
         for block in self.sections.iter().chain(parts).flat_map(|s| &s.blocks) {
             let (csv, data) = match block {
                 Block::Figure(figure) => (&figure.csv, &figure.data),
-                Block::Table(table) => (&table.csv, &table.data),
+                Block::Table(table) | Block::Folded(table) => (&table.csv, &table.data),
                 _ => continue,
             };
             data.write(&folder.join(format!("{csv}.csv")))?;
