@@ -40,7 +40,7 @@ pub fn section(progress: &ProgressBar) -> Section {
 }
 
 fn part(scene: &Scene) -> Section {
-    let maps = same_maps(scene);
+    let maps = same_maps(&scene.cases(), scene.until);
     Section {
         id: format!("maps-{}", scene.name),
         title: format!("{}, h = {} s", scene.caption, scene.h),

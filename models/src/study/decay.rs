@@ -19,7 +19,9 @@ impl Decay {
     /// `floor` is the size of rounding.
     pub fn new(errors: &[f64], floor: f64) -> Self {
         let order = match errors {
-            [first, .., last] if *last > floor => {
+            [_, .., last] if *last <= floor => None,
+            // Of NaN too, which is no rounding.
+            [first, .., last] => {
                 let halvings = (errors.len() - 1) as f64;
                 Some((first / last).log2() / halvings)
             }

@@ -3,7 +3,6 @@
 use super::case::Case;
 use super::distance::largest_size;
 use super::method::Method;
-use super::scene::Scene;
 use super::signals::Correspondence;
 use super::signals::Course;
 use super::signals::Signals;
@@ -40,16 +39,16 @@ struct Walk {
     error: Option<String>,
 }
 
-/// All implicit schemes of the models of `scene`, each with the class it belongs to.
-pub fn same_maps(scene: &Scene) -> Vec<Map> {
+/// The implicit schemes of `cases`, each with the class it belongs to. The cases must be one motion, without
+/// symmetries, up to the time `until`, in which signals are matched.
+pub fn same_maps(cases: &[Case], until: f64) -> Vec<Map> {
     let mut maps: Vec<Map> = Vec::new();
     let mut walks: Vec<Walk> = Vec::new();
-    let scene = scene.generic();
-    for case in scene.cases() {
-        let exact = Course::new(&case, scene.until);
+    for case in cases {
+        let exact = Course::new(case, until);
         for method in Method::of(case.model) {
             let Method::Newton(_) = method else { continue };
-            let walk = Walk::new(&case, method, exact.clone());
+            let walk = Walk::new(case, method, exact.clone());
             let differences: Vec<_> = walks.iter().map(|w| walk.difference(w)).collect();
             let twin = differences
                 .iter()
