@@ -14,6 +14,8 @@ use crate::diagnostic::Diagnostic;
 use crate::diagnostic::Errors;
 use crate::diagnostic::Range;
 use crate::differentiate::differentiate;
+use crate::eliminate::Full;
+use crate::eliminate::eliminate;
 use crate::emit::emit;
 use crate::emit::errors;
 use crate::emit::stub;
@@ -32,6 +34,7 @@ use crate::parse::parse_unit;
 use crate::source::lex;
 use crate::stage::program;
 use crate::structure::structure;
+use crate::system::Entry;
 use crate::system::Equations;
 use crate::system::System;
 use proc_macro2::Span;
@@ -227,12 +230,28 @@ fn discrete(model: &Model, form: Form) -> Result<(System, Vec<Option<Finding>>),
     }
     let judged = discrete_claims(model, &mut lowered, &jacobian, &derivatives)?;
     let crate::system::Discrete {
-        dag,
+        mut dag,
         residual,
         guess,
         next,
         ..
     } = lowered;
+    let full = Full {
+        residual: &residual,
+        jacobian: &jacobian,
+        guess: &guess,
+        next: &next,
+        blocks: &blocks,
+    };
+    let core = eliminate(&mut dag, &full).map(|core| {
+        let entries = differentiate(&mut dag, &core.residual, model.n_unknowns()).into_iter();
+        let own = entries.filter_map(|entry| {
+            let col = core.unknowns.iter().position(|&col| col == entry.col)?;
+            Some(Entry { col, ..entry })
+        });
+        let own = own.collect();
+        (core, own)
+    });
     debug_assert_eq!(dag.verify(), Ok(()));
     Ok((
         System {
@@ -243,6 +262,7 @@ fn discrete(model: &Model, form: Form) -> Result<(System, Vec<Option<Finding>>),
             guess,
             next,
             blocks,
+            core,
             printed: judged.printed,
         },
         judged.findings,

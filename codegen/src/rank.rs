@@ -41,6 +41,35 @@ pub fn dependent_rows(matrix: &[Vec<f64>]) -> Option<Vec<usize>> {
     None
 }
 
+/// The smallest pivot of a square matrix under complete pivoting; 0 for one without full rank or with an entry that
+/// is not finite.
+pub fn smallest_pivot(matrix: &[Vec<f64>]) -> f64 {
+    let n = matrix.len();
+    let mut rows = matrix.to_vec();
+    let mut smallest = f64::INFINITY;
+    for k in 0..n {
+        let places = (k..n).flat_map(|i| (k..n).map(move |j| (i, j)));
+        let largest =
+            places.max_by(|&(i, j), &(r, s)| rows[i][j].abs().total_cmp(&rows[r][s].abs()));
+        let Some((i, j)) = largest else { break };
+        let pivot = rows[i][j].abs();
+        if pivot == 0.0 || !pivot.is_finite() {
+            return 0.0;
+        }
+        smallest = smallest.min(pivot);
+        rows.swap(k, i);
+        rows.iter_mut().for_each(|row| row.swap(k, j));
+        let (done, below) = rows.split_at_mut(k + 1);
+        for row in below {
+            let factor = row[k] / done[k][k];
+            for (entry, above) in row.iter_mut().zip(&done[k]).skip(k) {
+                *entry -= factor * above;
+            }
+        }
+    }
+    smallest
+}
+
 /// The matrix with the largest entry of each row, then of each column, scaled to 1.
 fn scaled(matrix: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let largest = |values: &mut dyn Iterator<Item = f64>| {

@@ -35,6 +35,14 @@ impl Sample {
         }
     }
 
+    /// The value of every node at this point, but with the step `h`.
+    pub fn evaluate_with_step(self, dag: &Dag, h: f64) -> Vec<f64> {
+        dag.evaluate(|leaf| match leaf {
+            Leaf::StepSize => h,
+            _ => self.value(leaf),
+        })
+    }
+
     /// The value of every node at this point.
     pub fn evaluate(self, dag: &Dag) -> Vec<f64> {
         dag.evaluate(|leaf| self.value(leaf))

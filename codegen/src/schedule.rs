@@ -104,6 +104,10 @@ pub struct Solver {
     /// Kernels `guess`, `residual`, `residual_and_jacobian` and `next`. The roots of
     /// `residual_and_jacobian` are row by row rᵢ and the entries of its row in the pattern.
     pub schedule: Schedule,
+    /// The unknowns, by their positions in the unknown vector of the form: all, or those of a core.
+    pub unknowns: Vec<usize>,
+    /// What is left after elimination, with a kernel `growth` besides.
+    pub core: Option<Box<Solver>>,
 }
 
 /// Everything that is emitted for one model.

@@ -25,6 +25,7 @@ use crate::dag::Rate;
 use crate::schedule::Program;
 use crate::schedule::Schedule;
 use crate::schedule::Solver;
+use crate::system::Entry;
 use crate::system::Equations;
 use crate::system::System;
 
@@ -61,28 +62,51 @@ pub fn program(equations: &Equations, systems: &[System]) -> Program {
 }
 
 fn solver(system: &System) -> Solver {
-    let mut rows = Vec::with_capacity(system.residual.len() + system.jacobian.len());
-    for (row, &residual) in system.residual.iter().enumerate() {
-        rows.push(residual);
-        rows.extend(
-            system
-                .jacobian
-                .iter()
-                .filter(|e| e.row == row)
-                .map(|e| e.node),
-        );
-    }
-    // The guess is called once per step, but from outside the step kernel: as a kernel of the
-    // fastest rate it finds everything it needs in the caches.
-    let kernels = [
-        ("guess", Rate::Iteration, system.guess.clone()),
-        ("residual", Rate::Iteration, system.residual.clone()),
-        ("residual_and_jacobian", Rate::Iteration, rows),
-        ("next", Rate::Iteration, system.next.clone()),
-    ];
+    let core = system.core.as_ref().map(|(core, jacobian)| {
+        let kernels = kernels(&core.residual, jacobian, &core.guess, &core.next);
+        let growth = ("growth", Rate::Iteration, vec![core.growth]);
+        let kernels: Vec<Wanted> = kernels.into_iter().chain([growth]).collect();
+        Box::new(Solver {
+            form: system.form,
+            pattern: jacobian.iter().map(|e| (e.row, e.col)).collect(),
+            schedule: stage(&system.dag, &kernels),
+            unknowns: core.unknowns.clone(),
+            core: None,
+        })
+    });
+    let kernels = kernels(
+        &system.residual,
+        &system.jacobian,
+        &system.guess,
+        &system.next,
+    );
     Solver {
         form: system.form,
         pattern: system.jacobian.iter().map(|e| (e.row, e.col)).collect(),
         schedule: stage(&system.dag, &kernels),
+        unknowns: (0..system.residual.len()).collect(),
+        core,
     }
+}
+
+fn kernels(
+    residual: &[NodeId],
+    jacobian: &[Entry],
+    guess: &[NodeId],
+    next: &[NodeId],
+) -> [Wanted; 4] {
+    let mut rows = Vec::with_capacity(residual.len() + jacobian.len());
+    for (row, &root) in residual.iter().enumerate() {
+        rows.push(root);
+        let own = jacobian.iter().filter(|e| e.row == row);
+        rows.extend(own.map(|e| e.node));
+    }
+    // The guess is called once per step, but from outside the step kernel: as a kernel of the
+    // fastest rate it finds everything it needs in the caches.
+    [
+        ("guess", Rate::Iteration, guess.to_vec()),
+        ("residual", Rate::Iteration, residual.to_vec()),
+        ("residual_and_jacobian", Rate::Iteration, rows),
+        ("next", Rate::Iteration, next.to_vec()),
+    ]
 }

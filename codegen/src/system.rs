@@ -99,8 +99,27 @@ pub struct System {
     pub next: Vec<NodeId>,
     /// Block-triangular order.
     pub blocks: Vec<Block>,
+    /// What is left to iterate on, if that is less, and the structural non-zeros of its Jacobian, row by row;
+    /// columns are positions in [`Core::unknowns`].
+    pub core: Option<(Core, Vec<Entry>)>,
     /// What Newton's method would be given by each claim of the model, if it gives anything that fits.
     pub printed: Vec<Option<Printed>>,
+}
+
+/// A solver after unknowns that enter linearly are eliminated.
+#[derive(Clone, Debug)]
+pub struct Core {
+    /// The unknowns that are left, ascending.
+    pub unknowns: Vec<usize>,
+    /// As many equations.
+    pub residual: Vec<NodeId>,
+    /// First guess of each unknown that is left.
+    pub guess: Vec<NodeId>,
+    /// The state after the step.
+    pub next: Vec<NodeId>,
+    /// How many times larger than rounding the error of the eliminated unknowns may be; the number 0 if no
+    /// divisor can cancel.
+    pub growth: NodeId,
 }
 
 /// Newton's equations as somebody who trusts a claim would code them.

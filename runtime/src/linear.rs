@@ -84,17 +84,22 @@ fn eliminate<T: Real, const N: usize>(mut a: [[T; N]; N], mut b: [T; N]) -> Opti
 
 /// A [`System`] whose Newton corrections can be computed. Nothing implements it by hand: every system with
 /// `[T; N]` unknowns and a `[[T; N]; N]` Jacobian has it.
-pub trait Solvable<T: Real>:
+pub trait Correctable<T: Real>:
     System<T, Jacobian: SquareMatrix<T, Vector = <Self as System<T>>::Unknowns>>
 {
 }
 
-impl<T: Real, S> Solvable<T> for S
+impl<T: Real, S> Correctable<T> for S
 where
     S: System<T>,
     S::Jacobian: SquareMatrix<T, Vector = S::Unknowns>,
 {
 }
+
+/// A [`System`] that a [`Stepper`](crate::Stepper) can solve, itself and by its core. Nothing implements it by hand.
+pub trait Solvable<T: Real>: Correctable<T> + System<T, Core: Correctable<T>> {}
+
+impl<T: Real, S> Solvable<T> for S where S: Correctable<T> + System<T, Core: Correctable<T>> {}
 
 #[cfg(test)]
 mod tests;

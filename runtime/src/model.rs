@@ -1,6 +1,7 @@
 //! The traits that generated code implements.
 
 use crate::description::Description;
+use crate::description::Unknown;
 use crate::scalar::Scalar;
 
 /// A fixed number of scalars under names: parameters, states or outputs of a model.
@@ -59,8 +60,15 @@ pub trait System<T: Scalar> {
     type Scene: Copy;
     /// What depends on the known state and t besides, computed once per step.
     type Step: Copy;
+    /// The same equations after unknowns that enter linearly are eliminated; `Self` where all are needed.
+    type Core: System<T, Model = Self::Model>;
+    /// The core is smaller.
+    const HAS_CORE: bool = false;
     /// Index in [`Description::solvers`].
     const SOLVER: usize;
+    /// The blocks of x.
+    const UNKNOWNS: &'static [Unknown] =
+        <Self::Model as Model<T>>::DESCRIPTION.solvers[Self::SOLVER].unknowns;
     /// Zero unknowns and a zero Jacobian, to be overwritten.
     fn zeros() -> (Self::Unknowns, Self::Jacobian);
     /// Computes the scene cache.
@@ -81,4 +89,9 @@ pub trait System<T: Scalar> {
     );
     /// The state after the step.
     fn next(scene: &Self::Scene, step: &Self::Step, x: &Self::Unknowns) -> StateArray<Self, T>;
+    /// How many times larger than rounding the error of eliminated unknowns may be: Σ |terms| / |Σ terms| over
+    /// what was divided by. 0 where nothing can cancel.
+    fn growth(_scene: &Self::Scene, _step: &Self::Step, _x: &Self::Unknowns) -> T {
+        T::constant(0.0)
+    }
 }

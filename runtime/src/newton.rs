@@ -6,9 +6,8 @@ use crate::description::Unknown;
 use crate::error::Failure;
 use crate::error::Fault;
 use crate::error::Place;
-use crate::linear::Solvable;
+use crate::linear::Correctable;
 use crate::linear::SquareMatrix;
-use crate::model::Model;
 use crate::report::History;
 use crate::report::Report;
 use crate::report::Statistics;
@@ -21,7 +20,7 @@ use crate::settings::Settings;
 use crate::shifts::Shifts;
 
 /// Newton's method with its workspace, made once per run.
-pub(crate) struct Newton<S: Solvable<T>, T: Real> {
+pub(crate) struct Newton<S: Correctable<T>, T: Real> {
     pub(crate) settings: Settings<T>,
     /// The last iterate.
     x: S::Unknowns,
@@ -36,7 +35,7 @@ pub(crate) struct Newton<S: Solvable<T>, T: Real> {
     history: History,
 }
 
-impl<S: Solvable<T>, T: Real> Newton<S, T> {
+impl<S: Correctable<T>, T: Real> Newton<S, T> {
     pub(crate) fn new(settings: Settings<T>) -> Self {
         let (zeros, j) = S::zeros();
         Self {
@@ -230,7 +229,7 @@ impl<S: Solvable<T>, T: Real> Newton<S, T> {
 
     /// The blocks of unknowns, each with its scale: the largest |x| in the block and in the state it advances.
     fn blocks<'a>(&'a self, known: &'a [T]) -> impl Iterator<Item = (Range<usize>, T)> + 'a {
-        let blocks: &[Unknown] = S::Model::DESCRIPTION.solvers[S::SOLVER].unknowns;
+        let blocks: &[Unknown] = S::UNKNOWNS;
         let mut offset = 0;
         blocks.iter().map(move |block| {
             let unknowns = offset..offset + block.len;

@@ -35,6 +35,8 @@ pub struct Statistics {
     pub factorizations: u64,
     /// Evaluations of the continuous equations.
     pub flows: u64,
+    /// Steps for which the core failed or could not be trusted, so that all unknowns were iterated on.
+    pub fallbacks: u64,
 }
 
 /// Corrections that a [`History`] keeps.

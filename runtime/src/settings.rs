@@ -18,6 +18,8 @@ pub struct Settings<T = f64> {
     ///
     /// Smaller gives up on iterations that wander before they converge; larger only delays the failure.
     pub max_growths: usize,
+    /// Which unknowns are iterated on.
+    pub strategy: Strategy,
 }
 
 impl<T: Real> Default for Settings<T> {
@@ -27,8 +29,19 @@ impl<T: Real> Default for Settings<T> {
             tolerance: T::constant(f64::max(1e-12, 64.0 * epsilon)),
             max_iterations: 50,
             max_growths: 4,
+            strategy: Strategy::Core,
         }
     }
+}
+
+/// Which unknowns Newton's method iterates on.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Strategy {
+    /// Those of the core, and all where that fails.
+    #[default]
+    Core,
+    /// All.
+    Full,
 }
 
 /// Share of the tolerance that the estimated error may take before the last correction is spared. Larger
@@ -40,3 +53,7 @@ pub(crate) const RATE_MARGIN: f64 = 0.1;
 ///
 /// Larger takes unconverged iterates for solutions; smaller calls solutions stalled.
 pub(crate) const ROUNDING: f64 = 64.0;
+
+/// Growth of rounding in the eliminated unknowns from which the elimination is not trusted: they would keep ten
+/// digits, two fewer than Newton's tolerance asks for.
+pub(crate) const MOST_GROWTH: f64 = 1e6;

@@ -1,9 +1,10 @@
 //! The implicit stepper: one Newton solve per step.
 
-use crate::description::Solver;
+use crate::description;
 use crate::error::Fault;
 use crate::integration::Integration;
 use crate::integration::Method;
+use crate::linear::Correctable;
 use crate::linear::Solvable;
 use crate::model::Model;
 use crate::model::StateArray;
@@ -12,14 +13,25 @@ use crate::report::History;
 use crate::report::Report;
 use crate::report::Statistics;
 use crate::scalar::Real;
+use crate::scalar::first_not_finite;
+use crate::settings::MOST_GROWTH;
 use crate::settings::Settings;
+use crate::settings::Strategy;
 
 /// A run of the solver `S`, such as the generated `Next` or `Increment`: each step solves r(x) = 0 for the
 /// unknowns x of the step and takes the next state from them.
 pub type Stepper<S, T = f64> = Integration<Implicit<S, T>, T>;
 
-/// The method of a [`Stepper`].
+/// The method of a [`Stepper`]: Newton on the core of `S`, and on all its unknowns where that fails.
 pub struct Implicit<S: Solvable<T>, T: Real> {
+    core: Solver<S::Core, T>,
+    full: Solver<S, T>,
+    /// The last step was taken with all unknowns.
+    fell_back: bool,
+}
+
+/// A system with its scene and Newton's method for it.
+struct Solver<S: Correctable<T>, T: Real> {
     scene: S::Scene,
     newton: Newton<S, T>,
 }
@@ -27,8 +39,35 @@ pub struct Implicit<S: Solvable<T>, T: Real> {
 impl<S: Solvable<T>, T: Real> Stepper<S, T> {
     /// The same run with other settings of Newton's method.
     pub fn with_settings(mut self, settings: Settings<T>) -> Self {
-        self.method.newton = Newton::new(settings);
+        self.method.core.newton = Newton::new(settings);
+        self.method.full.newton = Newton::new(settings);
         self
+    }
+}
+
+impl<S: Correctable<T>, T: Real> Solver<S, T> {
+    fn new(parameters: &<S::Model as Model<T>>::Parameters, h: T) -> Self {
+        Self {
+            scene: S::scene(parameters, h),
+            newton: Newton::new(Settings::default()),
+        }
+    }
+
+    /// The state after the step, and the growth of rounding in it.
+    #[inline]
+    fn advance(
+        &mut self,
+        t: T,
+        state: &StateArray<S, T>,
+        statistics: &mut Statistics,
+    ) -> Result<(StateArray<S, T>, T, Report), Fault> {
+        let scene = &self.scene;
+        let step = S::step(scene, t, state);
+        let (x, report) = self
+            .newton
+            .solve(scene, &step, state.as_ref(), statistics)?;
+        let growth = S::growth(scene, &step, &x);
+        Ok((S::next(scene, &step, &x), growth, report))
     }
 }
 
@@ -37,8 +76,9 @@ impl<S: Solvable<T>, T: Real> Method<T> for Implicit<S, T> {
 
     fn new(parameters: &<S::Model as Model<T>>::Parameters, h: T) -> Self {
         Self {
-            scene: S::scene(parameters, h),
-            newton: Newton::new(Settings::default()),
+            core: Solver::new(parameters, h),
+            full: Solver::new(parameters, h),
+            fell_back: false,
         }
     }
 
@@ -48,19 +88,57 @@ impl<S: Solvable<T>, T: Real> Method<T> for Implicit<S, T> {
         state: &StateArray<S, T>,
         statistics: &mut Statistics,
     ) -> Result<(StateArray<S, T>, Report), Fault> {
-        let step = S::step(&self.scene, t, state);
-        let (x, report) = self
-            .newton
-            .solve(&self.scene, &step, state.as_ref(), statistics)?;
-        Ok((S::next(&self.scene, &step, &x), report))
+        self.fell_back = false;
+        if self.core.newton.settings.strategy == Strategy::Full {
+            return self.all_unknowns(t, state, statistics);
+        }
+        match self.core.advance(t, state, statistics) {
+            // Not `growth > MOST_GROWTH`, which would trust NaN.
+            Ok((next, growth, report))
+                if !S::HAS_CORE
+                    || growth <= T::constant(MOST_GROWTH)
+                        && first_not_finite(next.as_ref()).is_none() =>
+            {
+                Ok((next, report))
+            }
+            Err(fault) if !S::HAS_CORE => Err(fault),
+            Ok(_) | Err(_) => self.fall_back(t, state, statistics),
+        }
     }
 
     fn history(&self) -> History {
-        self.newton.history()
+        match self.fell_back {
+            true => self.full.newton.history(),
+            false => self.core.newton.history(),
+        }
     }
 
-    fn solver() -> Option<&'static Solver> {
+    fn solver() -> Option<&'static description::Solver> {
         Some(&S::Model::DESCRIPTION.solvers[S::SOLVER])
+    }
+}
+
+impl<S: Solvable<T>, T: Real> Implicit<S, T> {
+    #[cold]
+    fn fall_back(
+        &mut self,
+        t: T,
+        state: &StateArray<S, T>,
+        statistics: &mut Statistics,
+    ) -> Result<(StateArray<S, T>, Report), Fault> {
+        statistics.fallbacks += 1;
+        self.all_unknowns(t, state, statistics)
+    }
+
+    fn all_unknowns(
+        &mut self,
+        t: T,
+        state: &StateArray<S, T>,
+        statistics: &mut Statistics,
+    ) -> Result<(StateArray<S, T>, Report), Fault> {
+        self.fell_back = true;
+        let (next, _, report) = self.full.advance(t, state, statistics)?;
+        Ok((next, report))
     }
 }
 

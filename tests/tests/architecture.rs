@@ -4,13 +4,14 @@ use std::fs;
 use std::path::Path;
 
 /// Modules that turn one data type into another, with what belongs to each.
-const STAGES: [&str; 10] = [
+const STAGES: [&str; 11] = [
     "parse",
     "check",
     "lower",
     "differentiate",
     "explicit",
     "structure",
+    "eliminate",
     "claims",
     "stage",
     "emit",

@@ -15,6 +15,7 @@ use crate::model::Model;
 use crate::schedule::Count;
 use crate::schedule::Kernel;
 use crate::schedule::Schedule;
+use crate::schedule::Solver;
 use crate::schedule::ValueId;
 use proc_macro2::Ident;
 use proc_macro2::TokenStream;
@@ -29,7 +30,7 @@ pub(super) struct Context<'a> {
     names: Names,
     pub(super) scene: Cache,
     pub(super) step: Cache,
-    n_unknowns: usize,
+    unknowns: &'a [usize],
 }
 
 /// The body of a function.
@@ -55,8 +56,22 @@ impl Body {
 }
 
 impl<'a> Context<'a> {
-    /// The schedule of a solver, or one without unknowns.
-    pub(super) fn new(model: &'a Model, form: Option<Form>, schedule: &'a Schedule) -> Self {
+    /// A schedule without unknowns.
+    pub(super) fn new(model: &'a Model, schedule: &'a Schedule) -> Self {
+        Self::with_unknowns(model, None, schedule, &[])
+    }
+
+    /// The schedule of a solver.
+    pub(super) fn of_solver(model: &'a Model, solver: &'a Solver) -> Self {
+        Self::with_unknowns(model, Some(solver.form), &solver.schedule, &solver.unknowns)
+    }
+
+    fn with_unknowns(
+        model: &'a Model,
+        form: Option<Form>,
+        schedule: &'a Schedule,
+        unknowns: &'a [usize],
+    ) -> Self {
         let mut names = Names::new(schedule, &Variables::new(model, form));
         Self {
             model,
@@ -64,7 +79,7 @@ impl<'a> Context<'a> {
             scene: Cache::new("Scene", &schedule.scene, schedule, &mut names),
             step: Cache::new("Step", &schedule.step, schedule, &mut names),
             names,
-            n_unknowns: form.map_or(0, |_| model.n_unknowns()),
+            unknowns,
         }
     }
 
@@ -152,7 +167,8 @@ impl<'a> Context<'a> {
             let path = &record.name;
             record.pattern(&quote!(super::#path), |i| name(leaf(i)))
         };
-        let array = |n, leaf: fn(usize) -> Leaf| array((0..n).map(|i| name(leaf(i))).collect());
+        let states = (0..state.len()).map(|i| name(Leaf::State(i)));
+        let unknowns = self.unknowns.iter().map(|&i| name(Leaf::Unknown(i)));
         let patterns = [
             ("parameters", record(&parameters, Leaf::Parameter)),
             ("scene", self.scene.pattern(|v| read.cached.contains(&v))),
@@ -162,10 +178,10 @@ impl<'a> Context<'a> {
                 if is_record {
                     record(&state, Leaf::State)
                 } else {
-                    array(state.len(), Leaf::State)
+                    array(states.collect())
                 },
             ),
-            ("unknowns", array(self.n_unknowns, Leaf::Unknown)),
+            ("unknowns", array(unknowns.collect())),
         ];
         let mut inputs = TokenStream::new();
         for (argument, pattern) in patterns {

@@ -15,6 +15,7 @@ use crate::schedule::Program;
 use crate::schedule::Solver;
 use proc_macro2::TokenStream;
 use quote::quote;
+use std::ops::Range;
 
 /// `DESCRIPTION`
 pub(super) fn emit(model: &Model, program: &Program, findings: &[Finding]) -> TokenStream {
@@ -98,7 +99,10 @@ fn variable(variable: &Variable) -> TokenStream {
 
 fn solver(model: &Model, solver: &Solver) -> TokenStream {
     let form = solver.form.keyword();
-    let unknowns = model.solved.iter().map(|&s| unknown(model, s, solver.form));
+    let unknowns = model.solved.iter().map(|&s| {
+        let all = 0..model.solved_variable(s).shape.len();
+        unknown(model, s, solver.form, all)
+    });
     let equations = model.residual.iter().map(|e| {
         let (text, line, len) = (&e.text, whole(e.range.line()), whole(e.shape.len()));
         quote!(::residua::description::Equation { text: #text, line: #line, len: #len })
@@ -122,9 +126,15 @@ fn solver(model: &Model, solver: &Solver) -> TokenStream {
     }
 }
 
-fn unknown(model: &Model, solved: Solved, form: Form) -> TokenStream {
+/// A block of unknowns: these components of a variable.
+pub(super) fn unknown(
+    model: &Model,
+    solved: Solved,
+    form: Form,
+    components: Range<usize>,
+) -> TokenStream {
     let variable = model.solved_variable(solved);
-    let (shown, len) = (&variable.name.display, whole(variable.shape.len()));
+    let (shown, len) = (&variable.name.display, whole(components.len()));
     let name = match (solved, form) {
         (Solved::Own(_), _) => shown.clone(),
         (Solved::State(_), Form::Next) => format!("{shown}[k+1]"),
@@ -133,7 +143,7 @@ fn unknown(model: &Model, solved: Solved, form: Form) -> TokenStream {
     let state = match solved {
         Solved::Own(_) => quote!(::core::option::Option::None),
         Solved::State(_) => {
-            let offset = whole(variable.offset);
+            let offset = whole(variable.offset + components.start);
             quote!(::core::option::Option::Some(#offset))
         }
     };

@@ -12,7 +12,7 @@ use quote::quote;
 /// The `Flow` implementation of `Model`, with its cache.
 pub(super) fn emit(model: &Model, schedule: &Schedule) -> TokenStream {
     let n = whole(model.n_states());
-    let mut context = Context::new(model, None, schedule);
+    let mut context = Context::new(model, schedule);
     let cache = context
         .scene
         .declare("What the flow needs of the parameters.");

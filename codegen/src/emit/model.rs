@@ -52,7 +52,7 @@ fn doc(model: &Model) -> Vec<String> {
 }
 
 fn defaults(model: &Model, schedule: &Schedule) -> TokenStream {
-    let body = Context::new(model, None, schedule).straight("defaults");
+    let body = Context::new(model, schedule).straight("defaults");
     let record = Record::parameters(model).build(&quote!(Self), |i| body.roots[i].clone());
     let tokens = &body.tokens;
     quote! {
@@ -67,7 +67,7 @@ fn defaults(model: &Model, schedule: &Schedule) -> TokenStream {
 }
 
 fn start(model: &Model, schedule: &Schedule) -> TokenStream {
-    let body = Context::new(model, None, schedule).straight("start");
+    let body = Context::new(model, schedule).straight("start");
     let record = Record::state(model).build(&quote!(super::State), |i| body.roots[i].clone());
     let parameters = body.argument("parameters");
     let tokens = &body.tokens;
@@ -80,7 +80,7 @@ fn start(model: &Model, schedule: &Schedule) -> TokenStream {
 }
 
 fn outputs(model: &Model, schedule: &Schedule) -> TokenStream {
-    let body = Context::new(model, None, schedule).straight("outputs");
+    let body = Context::new(model, schedule).straight("outputs");
     let record = Record::outputs(model).build(&quote!(super::Outputs), |i| body.roots[i].clone());
     let [parameters, h, t, state] =
         ["parameters", "h", "t", "state"].map(|name| body.argument(name));

@@ -2,6 +2,7 @@
 
 use super::allow;
 use super::context::Context;
+use super::description::unknown;
 use super::equations::lines;
 use super::equations::rows;
 use super::expression::Expression;
@@ -10,14 +11,84 @@ use super::scope::identifier;
 use crate::ast::Form;
 use crate::model::Model;
 use crate::schedule::Solver;
+use proc_macro2::Ident;
 use proc_macro2::Literal;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// The unit struct of a form and its `System` implementation, with its caches.
+/// The unit struct of a form and its `System` implementation, with its caches; and those of its core.
 pub(super) fn emit(model: &Model, solver: &Solver, index: usize) -> TokenStream {
-    let n = &whole(model.n_unknowns());
-    let mut context = Context::new(model, Some(solver.form), &solver.schedule);
+    let form = solver.form;
+    let core = solver.core.as_deref();
+    let full = Role {
+        name: name(form),
+        module: identifier(form.keyword()),
+        doc: doc(form).to_owned(),
+        equations: lines(&model.residual),
+        listed: rows(&model.residual),
+        own: match core {
+            None => quote!(
+                type Core = Self;
+            ),
+            Some(_) => {
+                let core = core_name(form);
+                quote! {
+                    type Core = super::#core;
+                    const HAS_CORE: bool = true;
+                }
+            }
+        },
+    };
+    let items = system(model, solver, index, &full, TokenStream::new());
+    let core = core.map(|core| self::core(model, core, index, solver.unknowns.len()));
+    quote!(#items #core)
+}
+
+/// What tells a solver from its core.
+struct Role {
+    name: Ident,
+    module: Ident,
+    doc: String,
+    /// Where the equations stand, behind a comma.
+    equations: String,
+    /// The equations, as doc lines.
+    listed: Vec<String>,
+    /// Associated items of its own.
+    own: TokenStream,
+}
+
+/// The system that is left after elimination.
+fn core(model: &Model, solver: &Solver, index: usize, of: usize) -> TokenStream {
+    let form = solver.form;
+    let (name, full, n) = (core_name(form), self::name(form), solver.unknowns.len());
+    let blocks = unknowns(model, form, &solver.unknowns);
+    let role = Role {
+        name,
+        module: identifier(&format!("{}_core", form.keyword())),
+        doc: format!(
+            " What [`{full}`] iterates on: {n} of its {of} unknowns. The others enter linearly and are eliminated."
+        ),
+        equations: " after elimination".to_owned(),
+        listed: Vec::new(),
+        own: quote! {
+            type Core = Self;
+            const UNKNOWNS: &'static [::residua::description::Unknown] = &[#(#blocks),*];
+        },
+    };
+    let mut context = Context::of_solver(model, solver);
+    let growth = growth_function(&mut context, &whole(n));
+    system(model, solver, index, &role, growth)
+}
+
+fn system(
+    model: &Model,
+    solver: &Solver,
+    index: usize,
+    role: &Role,
+    more: TokenStream,
+) -> TokenStream {
+    let n = &whole(solver.unknowns.len());
+    let mut context = Context::of_solver(model, solver);
     let caches = [
         context
             .scene
@@ -31,12 +102,19 @@ pub(super) fn emit(model: &Model, solver: &Solver, index: usize) -> TokenStream 
         scene_function(&mut context),
         step_function(&mut context),
         guess_function(&mut context, n),
-        residual_function(&mut context, n),
-        jacobian_function(&mut context, solver, n),
+        residual_function(&mut context, role, n),
+        jacobian_function(&mut context, solver, role, n),
         next_function(&mut context, n),
+        more,
     ];
-    let (name, index) = (name(solver.form), whole(index));
-    let (doc, module) = (doc(solver.form), identifier(solver.form.keyword()));
+    let index = whole(index);
+    let Role {
+        name,
+        module,
+        doc,
+        own,
+        ..
+    } = role;
     let allow = allow();
     quote! {
         #[doc = #doc]
@@ -53,6 +131,7 @@ pub(super) fn emit(model: &Model, solver: &Solver, index: usize) -> TokenStream 
                 type Jacobian = [[T; #n]; #n];
                 type Scene = #scene;
                 type Step = #step;
+                #own
                 const SOLVER: usize = #index;
 
                 fn zeros() -> ([T; #n], [[T; #n]; #n]) {
@@ -66,8 +145,32 @@ pub(super) fn emit(model: &Model, solver: &Solver, index: usize) -> TokenStream 
     }
 }
 
+/// The unit struct of the core of a form.
+fn core_name(form: Form) -> Ident {
+    identifier(&format!("{}Core", name(form)))
+}
+
+/// The blocks of some of the unknowns: runs of components of one variable.
+fn unknowns(model: &Model, form: Form, kept: &[usize]) -> Vec<TokenStream> {
+    let mut blocks = Vec::new();
+    let mut offset = 0;
+    for &solved in &model.solved {
+        let own = offset..offset + model.solved_variable(solved).shape.len();
+        let mine: Vec<usize> = kept
+            .iter()
+            .filter(|i| own.contains(i))
+            .map(|i| i - offset)
+            .collect();
+        for run in mine.chunk_by(|a, b| b - a == 1) {
+            blocks.push(unknown(model, solved, form, run[0]..run[0] + run.len()));
+        }
+        offset = own.end;
+    }
+    blocks
+}
+
 /// The unit struct of a form.
-pub(super) fn name(form: Form) -> proc_macro2::Ident {
+pub(super) fn name(form: Form) -> Ident {
     match form {
         Form::Next => identifier("Next"),
         Form::Increment => identifier("Increment"),
@@ -131,16 +234,16 @@ fn guess_function(context: &mut Context, n: &Literal) -> TokenStream {
     }
 }
 
-fn residual_function(context: &mut Context, n: &Literal) -> TokenStream {
+fn residual_function(context: &mut Context, role: &Role, n: &Literal) -> TokenStream {
     let assign = |row: usize, value: Expression| {
         let (row, value) = (whole(row), value.tokens);
         quote!(residual[#row] = #value;)
     };
     let body = context.body_with("residual", assign);
     let (scene_type, step_type) = (context.scene.ty(), context.step.ty());
-    let lines = lines(&context.model.residual);
+    let lines = &role.equations;
     let mut doc = vec![format!(" r(x), {n} equations{lines}: {}.", body.cost)];
-    doc.extend(rows(&context.model.residual));
+    doc.extend(role.listed.iter().cloned());
     let [scene, step, unknowns] = ["scene", "step", "unknowns"].map(|name| body.argument(name));
     let tokens = &body.tokens;
     quote! {
@@ -156,10 +259,15 @@ fn residual_function(context: &mut Context, n: &Literal) -> TokenStream {
     }
 }
 
-fn jacobian_function(context: &mut Context, solver: &Solver, n: &Literal) -> TokenStream {
+fn jacobian_function(
+    context: &mut Context,
+    solver: &Solver,
+    role: &Role,
+    n: &Literal,
+) -> TokenStream {
     // Row by row the residual and the entries of its row, as `stage` has ordered them.
     let mut places = Vec::new();
-    for row in 0..context.model.n_unknowns() {
+    for row in 0..solver.unknowns.len() {
         places.push((row, None));
         let entries = solver.pattern.iter().filter(|(r, _)| *r == row);
         places.extend(entries.map(|(r, col)| (*r, Some(*col))));
@@ -182,8 +290,7 @@ fn jacobian_function(context: &mut Context, solver: &Solver, n: &Literal) -> Tok
     let entries = solver.pattern.len();
     let doc = format!(
         " r(x) and the {entries} structural non-zeros of its Jacobian{}: {}.",
-        lines(&context.model.residual),
-        body.cost,
+        role.equations, body.cost,
     );
     let [scene, step, unknowns] = ["scene", "step", "unknowns"].map(|name| body.argument(name));
     let tokens = &body.tokens;
@@ -213,6 +320,21 @@ fn next_function(context: &mut Context, n: &Literal) -> TokenStream {
         fn next(#scene: &#scene_type, #step: &#step_type, #unknowns: &[T; #n]) -> [T; #n_states] {
             #tokens
             [#(#roots),*]
+        }
+    }
+}
+
+fn growth_function(context: &mut Context, n: &Literal) -> TokenStream {
+    let body = context.body("growth");
+    let (scene_type, step_type) = (context.scene.ty(), context.step.ty());
+    let doc = format!(" Σ|terms|/|Σ terms| over the divisors: {}.", body.cost);
+    let [scene, step, unknowns] = ["scene", "step", "unknowns"].map(|name| body.argument(name));
+    let (tokens, roots) = (&body.tokens, &body.roots);
+    quote! {
+        #[doc = #doc]
+        fn growth(#scene: &#scene_type, #step: &#step_type, #unknowns: &[T; #n]) -> T {
+            #tokens
+            #(#roots)*
         }
     }
 }

@@ -188,6 +188,8 @@ mod next {
         type Jacobian = [[T; 3]; 3];
         type Scene = Scene<T>;
         type Step = Step<T>;
+        type Core = super::NextCore;
+        const HAS_CORE: bool = true;
         const SOLVER: usize = 0;
         fn zeros() -> ([T; 3], [[T; 3]; 3]) {
             let zero = T::constant(0.0);
@@ -267,6 +269,190 @@ mod next {
         }
     }
 }
+/// What [`Next`] iterates on: 1 of its 3 unknowns. The others enter linearly and are eliminated.
+#[derive(Clone, Copy, Debug)]
+pub struct NextCore;
+#[allow(non_snake_case, reason = "names as in the model")]
+#[allow(clippy::approx_constant, reason = "numbers as in the model")]
+#[allow(
+    clippy::possible_missing_comma,
+    reason = "all tokens have one place, the invocation"
+)]
+#[allow(
+    clippy::many_single_char_names,
+    clippy::suspicious_operation_groupings,
+    reason = "formulas"
+)]
+mod next_core {
+    /// What a run needs of the parameters and h.
+    #[derive(Clone, Copy)]
+    pub struct Scene<T> {
+        two_J: T,
+        h: T,
+        h_m_g_l: T,
+        four_h: T,
+        h_squared: T,
+        two_h_squared: T,
+    }
+    /// What a step needs of the known state and t.
+    #[derive(Clone, Copy)]
+    pub struct Step<T> {
+        omega: T,
+        four_h_Gamma_y: T,
+        Gamma_x: T,
+        sixteen_Gamma_x: T,
+        h_Gamma_x: T,
+        four_Gamma_y: T,
+        h_squared_Gamma_x: T,
+        four_h_Gamma_x: T,
+        h_Gamma_y: T,
+        four_Gamma_x: T,
+        sixteen_Gamma_y: T,
+    }
+    impl<T: ::residua::Scalar> ::residua::System<T> for super::NextCore {
+        type Model = super::Model;
+        type Unknowns = [T; 1];
+        type Jacobian = [[T; 1]; 1];
+        type Scene = Scene<T>;
+        type Step = Step<T>;
+        type Core = Self;
+        const UNKNOWNS: &'static [::residua::description::Unknown] = &[
+            ::residua::description::Unknown {
+                name: "ω[k+1]",
+                len: 1,
+                state: ::core::option::Option::Some(0),
+            },
+        ];
+        const SOLVER: usize = 0;
+        fn zeros() -> ([T; 1], [[T; 1]; 1]) {
+            let zero = T::constant(0.0);
+            ([zero; 1], [[zero; 1]; 1])
+        }
+        /// Once per run: 7 multiplications.
+        fn scene(parameters: &super::Parameters<T>, h: T) -> Scene<T> {
+            let super::Parameters { m, J, l, g } = *parameters;
+            let [two, four] = [2.0, 4.0].map(T::constant);
+            let h_squared = h * h;
+            Scene {
+                two_J: two * J,
+                h,
+                h_m_g_l: h * m * g * l,
+                four_h: four * h,
+                h_squared,
+                two_h_squared: two * h_squared,
+            }
+        }
+        /// Once per step: 9 multiplications.
+        fn step(scene: &Scene<T>, _t: T, state: &[T; 3]) -> Step<T> {
+            let Scene { h, four_h, h_squared, .. } = *scene;
+            let [omega, Gamma_x, Gamma_y] = *state;
+            let [four, sixteen] = [4.0, 16.0].map(T::constant);
+            Step {
+                omega,
+                four_h_Gamma_y: four_h * Gamma_y,
+                Gamma_x,
+                sixteen_Gamma_x: sixteen * Gamma_x,
+                h_Gamma_x: h * Gamma_x,
+                four_Gamma_y: four * Gamma_y,
+                h_squared_Gamma_x: h_squared * Gamma_x,
+                four_h_Gamma_x: four_h * Gamma_x,
+                h_Gamma_y: h * Gamma_y,
+                four_Gamma_x: four * Gamma_x,
+                sixteen_Gamma_y: sixteen * Gamma_y,
+            }
+        }
+        fn guess(_scene: &Scene<T>, step: &Step<T>) -> [T; 1] {
+            let Step { omega, .. } = *step;
+            [omega]
+        }
+        /// r(x), 1 equations after elimination: 8 additions, 9 multiplications, 1 division.
+        fn residual(
+            scene: &Scene<T>,
+            step: &Step<T>,
+            unknowns: &[T; 1],
+            residual: &mut [T; 1],
+        ) {
+            let Scene { two_J, h, h_m_g_l, h_squared, .. } = *scene;
+            let Step {
+                omega,
+                four_h_Gamma_y,
+                Gamma_x,
+                sixteen_Gamma_x,
+                h_Gamma_x,
+                four_Gamma_y,
+                ..
+            } = *step;
+            let [omega_next] = *unknowns;
+            let [one, sixteen] = [1.0, 16.0].map(T::constant);
+            let omega_sum = omega_next + omega;
+            let v1 = four_h_Gamma_y * omega_sum + sixteen_Gamma_x
+                - h * omega_sum * (h_Gamma_x * omega_sum - four_Gamma_y);
+            let v2 = v1 * (one / (h_squared * (omega_sum * omega_sum) + sixteen));
+            residual[0] = two_J * (omega_next - omega) + h_m_g_l * (v2 + Gamma_x);
+        }
+        /// r(x) and the 1 structural non-zeros of its Jacobian after elimination: 12 additions, 17 multiplications, 1 division.
+        fn residual_and_jacobian(
+            scene: &Scene<T>,
+            step: &Step<T>,
+            unknowns: &[T; 1],
+            residual: &mut [T; 1],
+            jacobian: &mut [[T; 1]; 1],
+        ) {
+            let Scene { two_J, h, h_m_g_l, h_squared, two_h_squared, .. } = *scene;
+            let Step {
+                omega,
+                four_h_Gamma_y,
+                Gamma_x,
+                sixteen_Gamma_x,
+                h_Gamma_x,
+                four_Gamma_y,
+                h_squared_Gamma_x,
+                ..
+            } = *step;
+            let [omega_next] = *unknowns;
+            let [one, sixteen] = [1.0, 16.0].map(T::constant);
+            let omega_sum = omega_next + omega;
+            let v3 = h_Gamma_x * omega_sum - four_Gamma_y;
+            let v1 = four_h_Gamma_y * omega_sum + sixteen_Gamma_x - h * omega_sum * v3;
+            let v4 = one / (h_squared * (omega_sum * omega_sum) + sixteen);
+            residual[0] = two_J * (omega_next - omega) + h_m_g_l * (v1 * v4 + Gamma_x);
+            let v5 = v4 * (h * v3 + h_squared_Gamma_x * omega_sum - four_h_Gamma_y);
+            jacobian[0][0] = two_J
+                - h_m_g_l * (two_h_squared * omega_sum * v1 * (v4 * v4) + v5);
+        }
+        /// The state after the step: 8 additions, 11 multiplications, 1 division.
+        fn next(scene: &Scene<T>, step: &Step<T>, unknowns: &[T; 1]) -> [T; 3] {
+            let Scene { h, h_squared, .. } = *scene;
+            let Step {
+                omega,
+                four_h_Gamma_y,
+                sixteen_Gamma_x,
+                h_Gamma_x,
+                four_Gamma_y,
+                four_h_Gamma_x,
+                h_Gamma_y,
+                four_Gamma_x,
+                sixteen_Gamma_y,
+                ..
+            } = *step;
+            let [omega_next] = *unknowns;
+            let [one, sixteen] = [1.0, 16.0].map(T::constant);
+            let omega_sum = omega_next + omega;
+            let h_omega_sum = h * omega_sum;
+            let v1 = four_h_Gamma_y * omega_sum + sixteen_Gamma_x
+                - h_omega_sum * (h_Gamma_x * omega_sum - four_Gamma_y);
+            let v4 = one / (h_squared * (omega_sum * omega_sum) + sixteen);
+            let v6 = four_h_Gamma_x * omega_sum
+                + h_omega_sum * (h_Gamma_y * omega_sum + four_Gamma_x) - sixteen_Gamma_y;
+            [omega_next, v1 * v4, -v6 * v4]
+        }
+        /// Σ|terms|/|Σ terms| over the divisors: no operations.
+        fn growth(_scene: &Scene<T>, _step: &Step<T>, _unknowns: &[T; 1]) -> T {
+            let zero = T::constant(0.0);
+            zero
+        }
+    }
+}
 /// The solver whose unknowns are the increments, and those the model declares.
 #[derive(Clone, Copy, Debug)]
 pub struct Increment;
@@ -305,6 +491,8 @@ mod increment {
         type Jacobian = [[T; 3]; 3];
         type Scene = Scene<T>;
         type Step = Step<T>;
+        type Core = super::IncrementCore;
+        const HAS_CORE: bool = true;
         const SOLVER: usize = 1;
         fn zeros() -> ([T; 3], [[T; 3]; 3]) {
             let zero = T::constant(0.0);
@@ -390,6 +578,172 @@ mod increment {
             let Step { Gamma_x, omega, Gamma_y, .. } = *step;
             let [Delta_omega, Delta_Gamma_x, Delta_Gamma_y] = *unknowns;
             [Delta_omega + omega, Delta_Gamma_x + Gamma_x, Delta_Gamma_y + Gamma_y]
+        }
+    }
+}
+/// What [`Increment`] iterates on: 1 of its 3 unknowns. The others enter linearly and are eliminated.
+#[derive(Clone, Copy, Debug)]
+pub struct IncrementCore;
+#[allow(non_snake_case, reason = "names as in the model")]
+#[allow(clippy::approx_constant, reason = "numbers as in the model")]
+#[allow(
+    clippy::possible_missing_comma,
+    reason = "all tokens have one place, the invocation"
+)]
+#[allow(
+    clippy::many_single_char_names,
+    clippy::suspicious_operation_groupings,
+    reason = "formulas"
+)]
+mod increment_core {
+    /// What a run needs of the parameters and h.
+    #[derive(Clone, Copy)]
+    pub struct Scene<T> {
+        J: T,
+        h_m_g_l: T,
+        four_h: T,
+        h_squared: T,
+        two_h_m_g_l: T,
+        two_h: T,
+    }
+    /// What a step needs of the known state and t.
+    #[derive(Clone, Copy)]
+    pub struct Step<T> {
+        Gamma_y: T,
+        four_h_Gamma_y: T,
+        omega: T,
+        two_omega: T,
+        Gamma_x: T,
+        h_squared_Gamma_x: T,
+        two_h_Gamma_y: T,
+        four_h_Gamma_x: T,
+        h_squared_Gamma_y: T,
+    }
+    impl<T: ::residua::Scalar> ::residua::System<T> for super::IncrementCore {
+        type Model = super::Model;
+        type Unknowns = [T; 1];
+        type Jacobian = [[T; 1]; 1];
+        type Scene = Scene<T>;
+        type Step = Step<T>;
+        type Core = Self;
+        const UNKNOWNS: &'static [::residua::description::Unknown] = &[
+            ::residua::description::Unknown {
+                name: "Δω",
+                len: 1,
+                state: ::core::option::Option::Some(0),
+            },
+        ];
+        const SOLVER: usize = 1;
+        fn zeros() -> ([T; 1], [[T; 1]; 1]) {
+            let zero = T::constant(0.0);
+            ([zero; 1], [[zero; 1]; 1])
+        }
+        /// Once per run: 10 multiplications.
+        fn scene(parameters: &super::Parameters<T>, h: T) -> Scene<T> {
+            let super::Parameters { m, J, l, g } = *parameters;
+            let [two, four] = [2.0, 4.0].map(T::constant);
+            Scene {
+                J,
+                h_m_g_l: h * m * g * l,
+                four_h: four * h,
+                h_squared: h * h,
+                two_h_m_g_l: two * h * m * g * l,
+                two_h: two * h,
+            }
+        }
+        /// Once per step: 6 multiplications.
+        fn step(scene: &Scene<T>, _t: T, state: &[T; 3]) -> Step<T> {
+            let Scene { four_h, h_squared, two_h, .. } = *scene;
+            let [omega, Gamma_x, Gamma_y] = *state;
+            let two = T::constant(2.0);
+            Step {
+                Gamma_y,
+                four_h_Gamma_y: four_h * Gamma_y,
+                omega,
+                two_omega: two * omega,
+                Gamma_x,
+                h_squared_Gamma_x: h_squared * Gamma_x,
+                two_h_Gamma_y: two_h * Gamma_y,
+                four_h_Gamma_x: four_h * Gamma_x,
+                h_squared_Gamma_y: h_squared * Gamma_y,
+            }
+        }
+        fn guess(_scene: &Scene<T>, _step: &Step<T>) -> [T; 1] {
+            let zero = T::constant(0.0);
+            [zero]
+        }
+        /// r(x), 1 equations after elimination: 5 additions, 8 multiplications, 1 division.
+        fn residual(
+            scene: &Scene<T>,
+            step: &Step<T>,
+            unknowns: &[T; 1],
+            residual: &mut [T; 1],
+        ) {
+            let Scene { J, h_m_g_l, h_squared, .. } = *scene;
+            let Step { four_h_Gamma_y, two_omega, Gamma_x, h_squared_Gamma_x, .. } = *step;
+            let [Delta_omega] = *unknowns;
+            let [one, two, sixteen] = [1.0, 2.0, 16.0].map(T::constant);
+            let omega_sum = Delta_omega + two_omega;
+            let omega_sum_squared = omega_sum * omega_sum;
+            let v1 = four_h_Gamma_y * omega_sum - h_squared_Gamma_x * omega_sum_squared;
+            let v2 = v1 * (one / (h_squared * omega_sum_squared + sixteen)) + Gamma_x;
+            residual[0] = two * (J * Delta_omega + h_m_g_l * v2);
+        }
+        /// r(x) and the 1 structural non-zeros of its Jacobian after elimination: 8 additions, 16 multiplications, 1 division.
+        fn residual_and_jacobian(
+            scene: &Scene<T>,
+            step: &Step<T>,
+            unknowns: &[T; 1],
+            residual: &mut [T; 1],
+            jacobian: &mut [[T; 1]; 1],
+        ) {
+            let Scene { J, h_m_g_l, h_squared, two_h_m_g_l, .. } = *scene;
+            let Step {
+                four_h_Gamma_y,
+                two_omega,
+                Gamma_x,
+                h_squared_Gamma_x,
+                two_h_Gamma_y,
+                ..
+            } = *step;
+            let [Delta_omega] = *unknowns;
+            let [one, two, sixteen] = [1.0, 2.0, 16.0].map(T::constant);
+            let omega_sum = Delta_omega + two_omega;
+            let omega_sum_squared = omega_sum * omega_sum;
+            let v1 = four_h_Gamma_y * omega_sum - h_squared_Gamma_x * omega_sum_squared;
+            let v3 = one / (h_squared * omega_sum_squared + sixteen);
+            residual[0] = two * (J * Delta_omega + h_m_g_l * (v1 * v3 + Gamma_x));
+            let v4 = h_squared * omega_sum * v1 * (v3 * v3)
+                + v3 * (h_squared_Gamma_x * omega_sum - two_h_Gamma_y);
+            jacobian[0][0] = -two * (two_h_m_g_l * v4 - J);
+        }
+        /// The state after the step: 7 additions, 10 multiplications, 1 division.
+        fn next(scene: &Scene<T>, step: &Step<T>, unknowns: &[T; 1]) -> [T; 3] {
+            let Scene { h_squared, .. } = *scene;
+            let Step {
+                Gamma_y,
+                four_h_Gamma_y,
+                omega,
+                two_omega,
+                Gamma_x,
+                h_squared_Gamma_x,
+                four_h_Gamma_x,
+                h_squared_Gamma_y,
+                ..
+            } = *step;
+            let [Delta_omega] = *unknowns;
+            let [one, two, sixteen] = [1.0, 2.0, 16.0].map(T::constant);
+            let omega_sum = Delta_omega + two_omega;
+            let omega_sum_squared = omega_sum * omega_sum;
+            let v1 = four_h_Gamma_y * omega_sum - h_squared_Gamma_x * omega_sum_squared;
+            let v3 = one / (h_squared * omega_sum_squared + sixteen);
+            let v5 = four_h_Gamma_x * omega_sum + h_squared_Gamma_y * omega_sum_squared;
+            [Delta_omega + omega, two * v1 * v3 + Gamma_x, Gamma_y - two * v5 * v3]
+        }
+        /// Σ|terms|/|Σ terms| over the divisors: no operations.
+        fn growth(_scene: &Scene<T>, _step: &Step<T>, _unknowns: &[T; 1]) -> T {
+            let zero = T::constant(0.0);
+            zero
         }
     }
 }

@@ -18,6 +18,7 @@ const DEFAULT: Settings = Settings {
     tolerance: 1e-12,
     max_iterations: 50,
     max_growths: 4,
+    strategy: crate::Strategy::Core,
 };
 
 /// Runs one "step" from `start` to the root.

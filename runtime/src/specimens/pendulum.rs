@@ -135,6 +135,7 @@ impl<T: Scalar> System<T> for Next {
     type Jacobian = [[T; 2]; 2];
     type Scene = Scene<T>;
     type Step = [T; 2];
+    type Core = Self;
     const SOLVER: usize = 0;
 
     fn zeros() -> ([T; 2], [[T; 2]; 2]) {

@@ -95,6 +95,7 @@ impl<P: Problem<N>, const N: usize> System<f64> for Root<P, N> {
     type Jacobian = [[f64; N]; N];
     type Scene = ();
     type Step = [f64; N];
+    type Core = Self;
     const SOLVER: usize = 0;
     fn zeros() -> ([f64; N], [[f64; N]; N]) {
         ([0.0; N], [[0.0; N]; N])

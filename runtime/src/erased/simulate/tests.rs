@@ -21,6 +21,7 @@ const RUN: Run = Run {
         tolerance: 1e-12,
         max_iterations: 50,
         max_growths: 4,
+        strategy: crate::Strategy::Core,
     },
 };
 
