@@ -34,6 +34,8 @@ pub struct Found {
     pub errors: [f64; 3],
     /// log₂ of the last two errors' ratio.
     pub order: f64,
+    /// The order in theory.
+    pub theory: f64,
     /// Error of the finest run over (h/4)ᵖ, p the order in theory; per sᵖ.
     pub constant: f64,
     /// How far the motion is ahead of the exact one at the end, with h; s. `None` beyond ±0.25 s.
@@ -143,6 +145,7 @@ impl Piece {
         Ok(Found {
             errors,
             order: (errors[1] / errors[2]).log2(),
+            theory: f64::from(method.order()),
             constant: errors[2] / (scene.h / 4.0).powi(method.order()),
             ahead,
             aside,
@@ -152,7 +155,8 @@ impl Piece {
         })
     }
 
-    /// The time at which the exact motion comes nearest to `signals`, and how near that is.
+    /// The time at which the exact motion comes nearest to `signals`, and how near that is: the first nearest place
+    /// on the way from its end, for a motion that repeats itself comes near again.
     fn nearest(&self, signals: &[f64], alike: &Correspondence) -> (Option<f64>, f64) {
         let distance = |k: usize| {
             let squares = alike.pairs.iter().map(|&(i, j)| {
@@ -162,9 +166,15 @@ impl Piece {
             squares.sum::<f64>()
         };
         let all: Vec<f64> = (0..self.moments.len()).map(distance).collect();
-        let least = (0..all.len())
-            .min_by(|&a, &b| all[a].total_cmp(&all[b]))
-            .unwrap_or(0);
+        let mut least = all.len() / 2;
+        loop {
+            let neighbours = [least.checked_sub(1), Some(least + 1)];
+            let lower = neighbours.into_iter().flatten().filter(|&k| k < all.len());
+            match lower.min_by(|&a, &b| all[a].total_cmp(&all[b])) {
+                Some(next) if all[next] < all[least] => least = next,
+                _ => break,
+            }
+        }
         if least == 0 || least + 1 == all.len() {
             return (None, all[least].sqrt());
         }
