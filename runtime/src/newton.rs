@@ -14,9 +14,14 @@ use crate::report::Statistics;
 use crate::report::Success;
 use crate::scalar::Real;
 use crate::scalar::first_not_finite;
+use crate::settings::AT_ROUNDING;
+use crate::settings::LEFTOVER;
 use crate::settings::RATE_MARGIN;
 use crate::settings::ROUNDING;
 use crate::settings::Settings;
+use crate::settings::TRUSTED_STEPS;
+use crate::shifts::HIGHEST;
+use crate::shifts::SHORT;
 use crate::shifts::Shifts;
 
 /// Newton's method with its workspace, made once per run.
@@ -32,6 +37,11 @@ pub(crate) struct Newton<S: Correctable<T>, T: Real> {
     previous: S::Unknowns,
     /// Where earlier solutions lay from their guesses.
     shifts: Shifts<S::Unknowns>,
+    /// A first correction up to this size leaves rounding, as second corrections told; 0 as long as nothing
+    /// is known.
+    enough: T,
+    /// Steps until that is found out anew.
+    trust: u32,
     history: History,
 }
 
@@ -45,6 +55,8 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
             j,
             previous: zeros,
             shifts: Shifts::new(zeros),
+            enough: T::constant(0.0),
+            trust: 0,
             history: History::default(),
         }
     }
@@ -59,7 +71,9 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
         statistics: &mut Statistics,
     ) -> Result<(S::Unknowns, Report), Fault> {
         let guess = S::guess(scene, step);
-        let starts = [self.shifts.ahead(guess), guess];
+        // Now and then from further away, so that convergence shows above rounding.
+        let order = if self.trust == 0 { SHORT } else { HIGHEST };
+        let starts = [self.shifts.ahead(guess, order), guess];
         let attempts = if self.shifts.are_zero() { 1 } else { 2 };
         let mut outcome = Err(Failure::Stalled);
         for x in starts.into_iter().take(attempts) {
@@ -69,7 +83,13 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
                 break;
             }
         }
-        let report = outcome.map_err(|failure| self.fault(failure))?;
+        let report = match outcome {
+            Ok(report) => report,
+            Err(failure) => {
+                self.enough = T::constant(0.0);
+                return Err(self.fault(failure));
+            }
+        };
         self.shifts.push(&self.x, &guess);
         Ok((self.x, report))
     }
@@ -109,8 +129,17 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
 
             let progress = self.progress(&correction, known);
             self.history.push(progress.size.to_f64());
-            if self.is_last(progress.size, before) {
-                return Ok(self.report(Success::Converged, progress));
+            if self.history.iterations() == 1 {
+                if self.is_enough(progress.size) {
+                    return Ok(self.report(Success::Converged, progress));
+                }
+            } else {
+                if self.history.iterations() == 2 {
+                    self.learn(before, progress.size);
+                }
+                if self.is_last(progress.size, before) {
+                    return Ok(self.report(Success::Converged, progress));
+                }
             }
             if progress.converged {
                 let is_shrinking = progress.size <= before;
@@ -152,6 +181,37 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
         let pairs = self.r.as_ref().iter().zip(before.as_ref());
         let mut fell = pairs.map(|(r, before)| r.abs() <= tenth * before.abs());
         fell.all(|fell| fell) || self.residual_is_rounding(known)
+    }
+
+    /// Whether the error left after a first correction of size `e` is far below rounding, if Newton's method
+    /// converges as it did of late.
+    #[inline]
+    fn is_enough(&mut self, e: T) -> bool {
+        if self.trust == 0 || self.settings.tolerance < T::EPSILON {
+            return false;
+        }
+        self.trust -= 1;
+        e <= self.enough
+    }
+
+    /// Takes in how a first correction of size `e` was followed by one of size `after`. Newton's method converges
+    /// quadratically: had the first been smaller by a factor, the second would have been by its square.
+    fn learn(&mut self, e: T, after: T) {
+        let epsilon = T::EPSILON;
+        let seen = if after > T::constant(AT_ROUNDING) * epsilon {
+            Some(after)
+        } else {
+            None
+        };
+        let largest = T::constant(LEFTOVER) * epsilon;
+        let enough = e * (largest / seen.unwrap_or(epsilon)).sqrt();
+        let is_news = seen.is_some() || self.trust == 0 || enough > self.enough;
+        if is_news {
+            self.enough = enough;
+        }
+        if self.trust == 0 {
+            self.trust = TRUSTED_STEPS;
+        }
     }
 
     /// Whether the error left after a correction of size `e` is within the tolerance even if convergence were

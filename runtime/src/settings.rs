@@ -57,3 +57,14 @@ pub(crate) const ROUNDING: f64 = 64.0;
 /// Growth of rounding in the eliminated unknowns from which the elimination is not trusted: they would keep ten
 /// digits, two fewer than Newton's tolerance asks for.
 pub(crate) const MOST_GROWTH: f64 = 1e6;
+
+/// A second correction of up to this many ε is rounding and says only that the true one is no larger.
+pub(crate) const AT_ROUNDING: f64 = 4.0;
+
+/// Share of ε that the second correction would have been, by the last measure of convergence, where it is spared:
+/// 16 times less than a sixty-fourth, for convergence may be slower by then. What is left has a sign, and adds up over
+/// steps where rounding does not. Larger drifts, smaller takes more corrections.
+pub(crate) const LEFTOVER: f64 = 1.0 / 1024.0;
+
+/// Steps after which convergence is measured again.
+pub(crate) const TRUSTED_STEPS: u32 = 31;
