@@ -123,14 +123,16 @@ fn verdict(analysis: &Analysis, claim: usize, finding: &Finding, plan: &Plan) ->
         right,
         decided: decided(finding),
         differences: finding.differences.iter().map(misprint).collect(),
-        note: run.then(|| note(&analysis.model.name, &finding.label)).flatten(),
+        note: run
+            .then(|| note(&analysis.model.name, &finding.label))
+            .flatten(),
         newton: run.then(|| compare(analysis, claim, plan)).flatten(),
     }
 }
 
 impl Verdict {
-    /// Its differences are what is left of left side − right side, which should be 0: the equation holds for no
-    /// other entry that could be printed instead.
+    /// Its differences are what is left of left side − right side, which should be 0; no entry that
+    /// could be printed instead.
     pub fn leaves_remainders(&self) -> bool {
         [ClaimKind::Flow, ClaimKind::Differential]
             .map(ClaimKind::keyword)

@@ -46,7 +46,9 @@ pub fn repeated(blocks: Vec<Block>, earlier: u8) -> Vec<Block> {
     let short = |block| match block {
         Block::Verdict(verdict) => Some(Block::Verdict(Verdict {
             reason: match verdict.judgement {
-                Judgement::HoldsWhen => format!("what Figure {earlier} says of the same runs."),
+                Judgement::HoldsWhen => {
+                    format!("the condition is met that Figure {earlier} gives for the same runs.")
+                }
                 _ => format!("The runs are those of Figure {earlier}: see there."),
             },
             ..verdict

@@ -118,11 +118,11 @@ fn lost(coarse: &Measure, fine: &Measure, ours: &[&Run], start: &[&Run]) -> Bloc
     let lost = coarse.off_axis > COINCIDE;
     let kept = start.iter().map(|run| run.measure.off_axis);
     let reason = format!(
-        "the angles are those of R = Rx Ry Rz. What is lost is the plane of the swing, and with it the angular momentum P \
+        "the angles are those of R = Rx Ry Rz, or the printed numbers are used in the printed order. What is lost is the plane of the swing, and with it the angular momentum P \
          about the vertical, which is 0 in the exact motion: |P| reaches {} kg m²/s at h = {} s, in proportion to h, and the part \
          of ω across its exact axis {} and {} of the largest ω at h = {} and {} s. It is no collapse: Newton converges \
          in every step, and the energy is off by {} and {} of the swing’s, without a trend. In the printed order \
-         R = Rz Ry Rx the same start keeps its plane to {}, see the table.",
+         R = Rz Ry Rx the same attitude R0 keeps its plane to {}, see the table.",
         momenta(ours),
         steps(ours),
         percent(coarse.off_axis),
@@ -191,7 +191,6 @@ fn table(runs: &[Run]) -> Table {
         "ω off its axis",
         "plane off by 1 % from [s]",
         "largest momentum about the vertical [kg m²/s]",
-        "lag [s]",
         "energy error",
     ]);
     for Run {
@@ -206,7 +205,6 @@ fn table(runs: &[Run]) -> Table {
             Cell::number(measure.off_axis, 2),
             measure.plane_lost().into(),
             Cell::number(*momentum, 3),
-            measure.lag.into(),
             Cell::number(measure.energy_error, 2),
         ];
         data.row(words.into_iter().chain(numbers));
