@@ -174,7 +174,7 @@ fn drifts(case: &Case, solver: &dyn AnySolver, steps: u64) -> Vec<f64> {
 const EXACT: f64 = 1e-11;
 
 /// The models that come with the project are of second order; one of first order is welcome beside them.
-const SECOND_ORDER: [&str; 15] = [
+const SECOND_ORDER: [&str; 16] = [
     "double_planar",
     "elastic",
     "planar_algebra",
@@ -184,6 +184,7 @@ const SECOND_ORDER: [&str; 15] = [
     "planar_recursive",
     "planar_reduced",
     "spatial_cardan",
+    "spatial_cardan_zyx",
     "spatial_exponential",
     "spatial_group",
     "spatial_recursive",

@@ -44,6 +44,13 @@ pub const SLIPS: &[Slip] = &[
         doubtful: false,
     },
     Slip {
+        place: "below Eq. (9)",
+        printed: "the Lie algebra which corresponds to R_x, R_y, R_z is θe1, θe2, θe3",
+        right: "θ1e1, θ2e2, θ3e3",
+        reason: "three angles, as in Eq. (9)",
+        doubtful: false,
+    },
+    Slip {
         place: "Eq. (16)",
         printed: "‖R‖ = 1",
         right: "det R = 1",
@@ -66,10 +73,31 @@ pub const SLIPS: &[Slip] = &[
         doubtful: true,
     },
     Slip {
+        place: "below Eq. (19)",
+        printed: "in space, Eq. (19) needs to be completely solved to obtain R",
+        right: "two of the three rows suffice: Γ1 = Γ2 × Γ3",
+        reason: "the rows of a rotation are a right-handed orthonormal basis",
+        doubtful: false,
+    },
+    Slip {
+        place: "above Eqs. (21), (22)",
+        printed: "the Rodriguez parameter or Cayley transformation, as in (21) and (22), respectively",
+        right: "Rodrigues’ formula (21); the Rodrigues parameters tan(φ/2)n belong to the Cayley transformation (22)",
+        reason: "(21) is in the rotation vector, the η of (22) are the parameters",
+        doubtful: false,
+    },
+    Slip {
         place: "Eqs. (20), (22)",
         printed: "one η for the Lie algebra element and the Cayley vector",
         right: "two names, η and tan(‖η‖/2) η/‖η‖",
         reason: "exp S(η) and cay S(η) differ, see the claims of Eq. 22",
+        doubtful: false,
+    },
+    Slip {
+        place: "above Eq. (23)",
+        printed: "for i = j R_a and R_b are called isomorphism",
+        right: "they belong to one one-parameter subgroup",
+        reason: "an isomorphism is a map between groups; rotations about different axes form isomorphic groups as well",
         doubtful: false,
     },
     Slip {
@@ -95,6 +123,13 @@ pub const SLIPS: &[Slip] = &[
         doubtful: false,
     },
     Slip {
+        place: "above Eq. (36)",
+        printed: "the above expression can also transform to be exponential in type",
+        right: "Eq. (34) can",
+        reason: "the expression above is (35), a mean; (36) is R[k+1] = R[k]F[k] with F = exp S(Δη)",
+        doubtful: false,
+    },
+    Slip {
         place: "Eqs. (36), (37)",
         printed: "stated for any η",
         right: "for rotations about one axis",
@@ -107,6 +142,20 @@ pub const SLIPS: &[Slip] = &[
         right: "Π̇ + m g l e2ᵀRe1 = 0",
         reason: "Π = Jω in Eq. (38)",
         doubtful: true,
+    },
+    Slip {
+        place: "above Eq. (51)",
+        printed: "the discretion of ω is Equation (44)",
+        right: "tag (44), \"Equation (45)\" as the text counts elsewhere",
+        reason: "the one reference that is not one ahead, beside \"Equation (52)\" for (51) in the same sentence",
+        doubtful: false,
+    },
+    Slip {
+        place: "Eqs. (50), (52), (53), (58) to (60)",
+        printed: "S1",
+        right: "S(1), the matrix with the rows (0, −1) and (1, 0)",
+        reason: "never defined; S(ω) = ω S1 turns (49) into (52)",
+        doubtful: false,
     },
     Slip {
         place: "below Eq. (54)",
@@ -151,6 +200,13 @@ pub const SLIPS: &[Slip] = &[
         doubtful: false,
     },
     Slip {
+        place: "Eqs. (72), (78)",
+        printed: "H δ = 0, T δ = 0",
+        right: "H δ = −F, T δ = −F",
+        reason: "with a regular H the printed one forces δ = 0; Newton's method, Eq. (27), has the residual on the right",
+        doubtful: false,
+    },
+    Slip {
         place: "above Eq. (82)",
         printed: "According to Equation (20)",
         right: "Equation (19)",
@@ -174,8 +230,22 @@ pub const SLIPS: &[Slip] = &[
     Slip {
         place: "above Eq. (84)",
         printed: "the Cardan transformation R = R_x R_y R_z",
-        right: "lines 1 and 3 of Eq. (84); line 2, (86) and (87) need R = R_z R_y R_x",
-        reason: "see the claims of Eqs. 84, 86 and 87",
+        right: "(10), (12), (15), lines 1 and 3 of Eq. (84) and R0 have it; line 2, (86) and (87) have R = R_z R_y R_x",
+        reason: "see the claims of Eqs. 84, 86 and 87 in spatial_cardan, and in spatial_cardan_zyx, where they are right",
+        doubtful: false,
+    },
+    Slip {
+        place: "above Eq. (84)",
+        printed: "as the group is not exchangeable, discretizing the Lie group directly is not available",
+        right: "discretising the Lie algebra by sums, as in Eqs. (36) and (37), is not available",
+        reason: "Eq. (82) does discretise the group directly; and the algebra works too with a product of exponentials, R[k+1] = R[k] exp S(hω), which is the model spatial_exponential",
+        doubtful: false,
+    },
+    Slip {
+        place: "above Eq. (86)",
+        printed: "Substitute the former into Equation (86)",
+        right: "into Equation (85) as the text counts, which is tag (84)",
+        reason: "by that count Equation (86) is the former, the discrete rules, themselves",
         doubtful: false,
     },
     Slip {
@@ -192,5 +262,12 @@ pub const SLIPS: &[Slip] = &[
         right: "one spelling",
         reason: "they are the same blocks",
         doubtful: true,
+    },
+    Slip {
+        place: "Section 6, on Figures 18 and 19",
+        printed: "based on Equation (70)",
+        right: "tag (69), if the text counts one ahead as elsewhere; what can be solved is (70)",
+        reason: "(78), (83) and (87) in the same section are tags (77), (82) and (86). Of the F in (69) its equations determine Fᵀ K3 alone, the X of (70)",
+        doubtful: false,
     },
 ];

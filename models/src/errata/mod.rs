@@ -48,6 +48,8 @@ pub struct Verdict {
     pub decided: String,
     /// What differs.
     pub differences: Vec<Misprint>,
+    /// What else there is to say of a wrong claim.
+    pub note: Option<&'static str>,
     /// Newton's method with a wrong Jacobian or residual; none for other claims and where the claim cannot be
     /// coded, because its blocks do not fit.
     pub newton: Option<Comparison>,
@@ -121,7 +123,35 @@ fn verdict(analysis: &Analysis, claim: usize, finding: &Finding, plan: &Plan) ->
         right,
         decided: decided(finding),
         differences: finding.differences.iter().map(misprint).collect(),
+        note: run
+            .then(|| note(&analysis.model.name, &finding.label))
+            .flatten(),
         newton: run.then(|| compare(analysis, claim, plan)).flatten(),
+    }
+}
+
+impl Verdict {
+    /// Its differences are what is left of left side − right side, which should be 0; no entry that
+    /// could be printed instead.
+    pub fn leaves_remainders(&self) -> bool {
+        [ClaimKind::Flow, ClaimKind::Differential]
+            .map(ClaimKind::keyword)
+            .contains(&self.kind)
+    }
+}
+
+/// Functions in the formulas of the generator.
+pub const FUNCTIONS: &str =
+    "c1(a²) stands for sin(a)/a and c2(a²) for (1 − cos a)/a², both without a gap at a = 0.";
+
+const CHARTS: &str = "Line 2 of Eq. 84, Eqs. 86 and 87 as printed fit each other: they are a scheme for the Cardan angles of \
+    R = Rz Ry Rx, and right in the model spatial_cardan_zyx. They contradict Eqs. 10, 12 and 15, lines 1 and 3 of Eq. 84 and \
+    R0 = Rx Ry Rz. Where states differ, the same numbers for the angles are two attitudes in the two charts.";
+
+fn note(model: &str, label: &str) -> Option<&'static str> {
+    match (model, label) {
+        ("spatial_cardan", "Eq. 84" | "Eq. 86" | "Eq. 87") => Some(CHARTS),
+        _ => None,
     }
 }
 

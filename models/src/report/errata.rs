@@ -1,5 +1,7 @@
 //! Misprints: what the models find in the paper, and what was read by eye.
 
+mod data;
+
 use super::page::Block;
 use super::page::Cell;
 use super::page::Data;
@@ -8,10 +10,10 @@ use super::page::Table;
 use super::runs::RunError;
 use crate::CATALOGUE;
 use crate::errata::Errata;
+use crate::errata::FUNCTIONS;
+use crate::errata::Misprint;
 use crate::errata::Verdict;
 use crate::errata::by_eye::SLIPS;
-use crate::errata::data::Body;
-use crate::errata::data::body;
 use crate::errata::errata;
 use crate::errata::newton::Plan;
 use crate::errata::newton::Run;
@@ -44,7 +46,7 @@ pub fn section(progress: &ProgressBar) -> Result<Section, RunError> {
         id: "errata".to_owned(),
         title: "Errata".to_owned(),
         blocks: vec![Block::Text(text)],
-        parts: vec![wrong(&models), right(&models), bodies(), by_eye()],
+        parts: vec![wrong(&models), right(&models), data::section()?, by_eye()],
     })
 }
 
@@ -73,12 +75,13 @@ fn wrong(models: &[Errata]) -> Section {
     let mut newton_only = Vec::new();
     for (model, claim) in claims(models) {
         for misprint in &claim.differences {
+            let (printed, right) = sides(claim, misprint);
             entries.row([
                 Cell::Code(model.to_owned()),
                 name(claim).into(),
                 misprint.entry.as_str().into(),
-                Cell::Code(misprint.printed.clone()),
-                Cell::Code(misprint.right.clone()),
+                Cell::Code(printed),
+                Cell::Code(right),
                 claim.decided.as_str().into(),
             ]);
         }
@@ -86,13 +89,14 @@ fn wrong(models: &[Errata]) -> Section {
         if let Some(first) = claim.differences.first() {
             let runs = newton.map(|newton| (run(&newton.printed), run(&newton.right)));
             let (printed, right) = runs.unzip();
+            let (as_printed, as_right) = sides(claim, first);
             summary.row([
                 name(claim).into(),
                 Cell::Code(model.to_owned()),
                 Cell::Count(claim.differences.len() as u64),
                 first.entry.as_str().into(),
-                Cell::Code(shortened(&first.printed)),
-                Cell::Code(shortened(&first.right)),
+                Cell::Code(shortened(&as_printed)),
+                Cell::Code(shortened(&as_right)),
                 printed.into(),
                 right.into(),
                 newton
@@ -102,10 +106,16 @@ fn wrong(models: &[Errata]) -> Section {
             ]);
         } else if let Some(newton) = newton {
             newton_only.push(format!(
-                "{} is right, but with it and what it belongs to, Newton’s method in {model} {}; states end {} apart.",
+                "{} is right, but with it and what it belongs to, Newton’s method in {model} {}; {}.",
                 name(claim),
-                run(&newton.printed),
-                newton.difference.map_or("nowhere".to_owned(), |d| rounded(d, 2))
+                match newton.printed.steps {
+                    0 => run(&newton.printed),
+                    _ => format!("takes {}", run(&newton.printed)),
+                },
+                match newton.difference {
+                    Some(difference) => format!("states end {} apart", rounded(difference, 2)),
+                    None => "no result".to_owned(),
+                }
             ));
         }
     }
@@ -118,6 +128,13 @@ fn wrong(models: &[Errata]) -> Section {
         ),
         data: summary,
     })];
+    let mut notes: Vec<&str> = claims(models).filter_map(|(_, claim)| claim.note).collect();
+    notes.dedup();
+    blocks.extend(notes.into_iter().map(|note| Block::Text(note.to_owned())));
+    blocks.push(Block::Text(format!(
+        "In formulas {FUNCTIONS} Of an equation of rates or of variations, which has two sides, the tables show what is left \
+         of left − right."
+    )));
     if !newton_only.is_empty() {
         blocks.push(Block::List(newton_only));
     }
@@ -127,6 +144,17 @@ fn wrong(models: &[Errata]) -> Section {
         data: entries,
     }));
     part("wrong", "Found wrong by the generator", blocks)
+}
+
+/// What is printed and what is right.
+fn sides(claim: &Verdict, misprint: &Misprint) -> (String, String) {
+    match claim.leaves_remainders() {
+        true => (
+            format!("left − right = {}", misprint.printed),
+            "left − right = 0".to_owned(),
+        ),
+        false => (misprint.printed.clone(), misprint.right.clone()),
+    }
 }
 
 /// The start of a formula that is too long for a table.
@@ -174,48 +202,6 @@ fn claims(models: &[Errata]) -> impl Iterator<Item = (&str, &Verdict)> {
 
 fn name(claim: &Verdict) -> String {
     title(claim.kind, &claim.label, claim.of.as_deref())
-}
-
-fn bodies() -> Section {
-    let text = "About the pivot the moment of inertia of a body is at least m l², the part of its centre of mass \
-                (Steiner). What is left about the centre of mass must not be negative.";
-    let mut data = Data::new(&[
-        "model",
-        "J [kg m²]",
-        "m l² [kg m²]",
-        "J − m l² [kg m²]",
-        "such a body",
-    ]);
-    for Body {
-        model,
-        pivot,
-        offset,
-        central,
-    } in CATALOGUE.iter().filter_map(|e| body(e.catalogued))
-    {
-        let exists = if central > 0.0 {
-            "exists"
-        } else {
-            "does not exist"
-        };
-        data.row([
-            Cell::Code(model.to_owned()),
-            Cell::given(pivot),
-            Cell::given(offset),
-            Cell::given(central),
-            exists.into(),
-        ]);
-    }
-    let table = Table {
-        csv: "errata-data".to_owned(),
-        caption: "The data of Section 6, about the pivot.".to_owned(),
-        data,
-    };
-    part(
-        "data",
-        "The data of Section 6",
-        vec![Block::Text(text.to_owned()), Block::Table(table)],
-    )
 }
 
 fn by_eye() -> Section {

@@ -1,6 +1,7 @@
 //! How far a run is from the exact solution: difference, lag, amplitude, energy.
 
 use super::reference::Planar;
+use super::reference::Plane;
 use super::reference::Spatial;
 use super::runs::Recording;
 use super::runs::RunError;
@@ -43,6 +44,8 @@ pub struct Measure {
     pub lag: f64,
     /// Swings of the exact solution.
     pub swings: usize,
+    /// Of a swing of the exact solution, [s].
+    pub period: f64,
     /// Change of the amplitude from the start to the last 5 s, a share of it.
     pub amplitude_change: f64,
     /// Largest departure of the energy from its start, as a share of what the swing has above rest.
@@ -60,7 +63,10 @@ impl Measure {
     pub fn of(run: &Wanted, made: &Recording, exact: &Recording) -> Result<Self, RunError> {
         let (own, true_one) = match run.is_planar() {
             true => (Swing::planar(made)?, Swing::planar(exact)?),
-            false => (Swing::spatial(run, made)?, Swing::tilt(exact, "Γ3")?),
+            false => (
+                Swing::tilt(made, &vertical(run, made)?)?,
+                Swing::tilt(exact, &vector(exact, "Γ3")?)?,
+            ),
         };
         let amplitudes = amplitudes(run, made)?;
         let amplitude = amplitudes.first().copied().unwrap_or(0.0);
@@ -81,7 +87,7 @@ impl Measure {
         let (lag, swings) = own.lag(&true_one);
         let off_axis = match run.is_planar() {
             true => Vec::new(),
-            false => off_axis(made)?,
+            false => off_axis(made, &vertical(run, made)?)?,
         };
         Ok(Self {
             run: *run,
@@ -91,6 +97,7 @@ impl Measure {
             coincides_until: first_above(&differences, COINCIDE * range),
             lag,
             swings,
+            period: true_one.period(),
             amplitude_change: late_amplitude / amplitude - 1.0,
             energy_error: energy_error(made, scene(run)?)?,
             off_axis: largest(&off_axis),
@@ -107,6 +114,11 @@ impl Measure {
     /// The same in the first 5 s.
     pub fn first_share(&self) -> f64 {
         self.first / self.range
+    }
+
+    /// When the plane of the swing is first off by [`COINCIDE`], [s]; `None` if it never is.
+    pub fn plane_lost(&self) -> Option<f64> {
+        (self.off_axis > COINCIDE).then_some(self.on_axis_until)
     }
 }
 
@@ -136,8 +148,8 @@ fn scene(run: &Wanted) -> Result<Planar, RunError> {
 }
 
 /// The part of ω across the axis of the exact swing, as a share of the largest ω, at each time.
-fn off_axis(made: &Recording) -> Result<Vec<f64>, RunError> {
-    let axis = Spatial::paper()?.axis;
+fn off_axis(made: &Recording, vertical: &Vectors) -> Result<Vec<f64>, RunError> {
+    let axis = plane(vertical).axis;
     let [x, y, z] = vector(made, "ω")?;
     let (mut across, mut largest) = (Vec::new(), 0.0_f64);
     for ((x, y), z) in x.iter().zip(&y).zip(&z) {
@@ -151,7 +163,31 @@ fn off_axis(made: &Recording) -> Result<Vec<f64>, RunError> {
     Ok(across.into_iter().map(|part| part / largest).collect())
 }
 
-fn vector(made: &Recording, name: &str) -> Result<[Vec<f64>; 3], RunError> {
+/// The components of a vector at each time.
+type Vectors = [Vec<f64>; 3];
+
+/// The vertical in the body frame, by the name that a model gives it.
+fn vertical(run: &Wanted, made: &Recording) -> Result<Vectors, RunError> {
+    match run.model {
+        "spatial_recursive" => vector(made, "vertical"),
+        "spatial_reduced" => vector(made, "Γ"),
+        // The last row of the matrix.
+        "spatial_cardan" | "spatial_cardan_zyx" => Ok([
+            made.values("attitude.31")?,
+            made.values("attitude.32")?,
+            made.values("attitude.33")?,
+        ]),
+        _ => vector(made, "Γ3"),
+    }
+}
+
+/// The plane of the swing from where a run starts.
+fn plane([x, y, z]: &Vectors) -> Plane {
+    let first = |component: &[f64]| component.first().copied().unwrap_or(f64::NAN);
+    Plane::of([first(x), first(y), first(z)])
+}
+
+fn vector(made: &Recording, name: &str) -> Result<Vectors, RunError> {
     let component = |axis: &str| made.values(&format!("{name}.{axis}"));
     Ok([component("x")?, component("y")?, component("z")?])
 }
@@ -165,32 +201,14 @@ impl Swing {
         })
     }
 
-    /// By the name that a model gives the vertical in the body frame.
-    fn spatial(run: &Wanted, made: &Recording) -> Result<Self, RunError> {
-        match run.model {
-            "spatial_recursive" => Self::tilt(made, "vertical"),
-            "spatial_reduced" => Self::tilt(made, "Γ"),
-            "spatial_cardan" => Self::tilt(made, "attitude"),
-            _ => Self::tilt(made, "Γ3"),
-        }
-    }
-
-    fn tilt(made: &Recording, vertical: &str) -> Result<Self, RunError> {
-        let scene = Spatial::paper()?;
-        let [x, y, z] = match vertical {
-            // The last row of the matrix.
-            "attitude" => [
-                made.values("attitude.31")?,
-                made.values("attitude.32")?,
-                made.values("attitude.33")?,
-            ],
-            name => vector(made, name)?,
-        };
+    fn tilt(made: &Recording, vertical: &Vectors) -> Result<Self, RunError> {
+        let plane = plane(vertical);
+        let [x, y, z] = vertical;
         let omega = vector(made, "ω")?;
         let (mut angles, mut rates) = (Vec::new(), Vec::new());
         for i in 0..made.times.len() {
             let omega = [omega[0][i], omega[1][i], omega[2][i]];
-            let (angle, rate) = scene.tilt([x[i], y[i], z[i]], omega);
+            let (angle, rate) = plane.tilt([x[i], y[i], z[i]], omega);
             angles.push(angle);
             rates.push(rate);
         }
@@ -215,6 +233,15 @@ impl Swing {
             None => 0.0,
         };
         (lag, others.len())
+    }
+
+    /// Mean time from the end of a swing to that of the next.
+    fn period(&self) -> f64 {
+        let ends = self.ends();
+        match &ends[..] {
+            [first, .., last] => (last - first) / (ends.len() - 1) as f64,
+            _ => f64::NAN,
+        }
     }
 
     /// Times at which the angle passes 0 upwards, by the cubic through angle and rate on both sides.

@@ -63,12 +63,37 @@ impl Planar {
 pub struct Spatial {
     /// The swing, in the tilt ψ.
     pub swing: Planar,
-    /// n, the axis of the swing in the body frame.
-    pub axis: [f64; 3],
-    /// Where ψ counts to, horizontally, in the body frame: Γ(0) = cos ψ(0) e₃ + sin ψ(0) `side`.
-    pub side: [f64; 3],
+    /// Its plane.
+    pub plane: Plane,
     /// The rows of R at the start.
     pub rows: [[f64; 3]; 3],
+}
+
+/// The plane of a swing from rest, in the body frame.
+#[derive(Clone, Copy)]
+pub struct Plane {
+    /// n, the axis of the swing.
+    pub axis: [f64; 3],
+    /// Where ψ counts to, horizontally: Γ(0) = cos ψ(0) e₃ + sin ψ(0) `side`.
+    pub side: [f64; 3],
+}
+
+impl Plane {
+    /// Of a swing that starts with this Γ, which is not along e₃.
+    pub fn of(vertical: [f64; 3]) -> Self {
+        let horizontal = vertical[0].hypot(vertical[1]);
+        let side = [vertical[0] / horizontal, vertical[1] / horizontal, 0.0];
+        Self {
+            axis: [-side[1], side[0], 0.0],
+            side,
+        }
+    }
+
+    /// (ψ, ψ̇) of a body with this vertical and angular velocity.
+    pub fn tilt(&self, vertical: [f64; 3], omega: [f64; 3]) -> (f64, f64) {
+        let angle = dot(vertical, self.side).atan2(vertical[2]);
+        (angle, -dot(omega, self.axis))
+    }
 }
 
 impl Spatial {
@@ -85,7 +110,6 @@ impl Spatial {
         let row = |i: usize| [rows[3 * i], rows[3 * i + 1], rows[3 * i + 2]];
         let vertical = row(2);
         let horizontal = vertical[0].hypot(vertical[1]);
-        let side = [vertical[0] / horizontal, vertical[1] / horizontal, 0.0];
         Ok(Self {
             swing: Planar {
                 inertia,
@@ -93,21 +117,14 @@ impl Spatial {
                 angle: horizontal.atan2(vertical[2]),
                 velocity: 0.0,
             },
-            axis: [-side[1], side[0], 0.0],
-            side,
+            plane: Plane::of(vertical),
             rows: [row(0), row(1), row(2)],
         })
     }
 
-    /// (ψ, ψ̇) of a body with this vertical and angular velocity.
-    pub fn tilt(&self, vertical: [f64; 3], omega: [f64; 3]) -> (f64, f64) {
-        let angle = dot(vertical, self.side).atan2(vertical[2]);
-        (angle, -dot(omega, self.axis))
-    }
-
     /// Γ turned back by the body's turn φ about n.
     fn turned(&self, row: [f64; 3], turn: f64) -> [f64; 3] {
-        let n = self.axis;
+        let n = self.plane.axis;
         let (sin, cos) = turn.sin_cos();
         let along = dot(n, row) * (1.0 - cos);
         let across = cross(n, row);
@@ -166,7 +183,7 @@ fn spatial_rows(times: &[f64]) -> Result<Vec<Vec<f64>>, RunError> {
     let mut turns = [0.0; 3];
     let row = |(angle, velocity): (f64, f64)| {
         let turn = scene.swing.angle - angle;
-        let omega = scene.axis.map(|n| -velocity * n);
+        let omega = scene.plane.axis.map(|n| -velocity * n);
         let rows = scene.rows.map(|row| scene.turned(row, turn));
         turns = near(cardan(&rows), turns);
         let vertical = rows[2];

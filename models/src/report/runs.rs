@@ -123,11 +123,16 @@ impl Wanted {
     /// Makes the run.
     pub fn record(&self) -> Result<Recording, RunError> {
         let model = find(self.model)?.catalogued;
+        self.record_from(&values::start(model, &values::defaults(model)))
+    }
+
+    /// Makes the run from another state.
+    pub fn record_from(&self, start: &[f64]) -> Result<Recording, RunError> {
+        let model = find(self.model)?.catalogued;
         let parameters = values::defaults(model);
-        let start = values::start(model, &parameters);
         let run = Run {
             parameters: &parameters,
-            start: &start,
+            start,
             h: self.step,
             t0: 0.0,
             steps: self.steps(),

@@ -39,11 +39,19 @@ fn claim(verdict: &Verdict, out: &mut impl Write) -> io::Result<()> {
             right_value,
         } = difference;
         writeln!(out, "    ({row},{col}) {entry}")?;
+        if verdict.leaves_remainders() {
+            let value = equals(*printed_value);
+            writeln!(out, "      left − right is not 0:  {printed}{value}")?;
+            continue;
+        }
         writeln!(out, "      printed  {printed}{}", equals(*printed_value))?;
         writeln!(out, "      right    {right}{}", equals(*right_value))?;
     }
-    match &verdict.newton {
-        Some(comparison) => newton(comparison, out),
+    if let Some(comparison) = &verdict.newton {
+        newton(comparison, out)?;
+    }
+    match verdict.note {
+        Some(note) => writeln!(out, "    note     {note}"),
         None => Ok(()),
     }
 }
@@ -123,8 +131,8 @@ pub fn bodies(bodies: &[Body], out: &mut impl Write) -> io::Result<()> {
     if bodies.iter().any(|body| !body.exists()) {
         writeln!(
             out,
-            "  If J is meant about the centre of mass, the equations lack m l² beside it: J is multiplied by ω̇ in\n  \
-             an equation of moments about the pivot."
+            "  This reads l as the distance to the centre of mass, as above Eq. 38, and J as that about the pivot, which an\n  \
+             equation of moments about the pivot has. In space it concerns Jx and Jy only."
         )?;
     }
     writeln!(out)

@@ -1,5 +1,6 @@
 //! What the paper says about each figure, judged by numbers.
 
+mod cardan;
 mod coincide;
 mod damping;
 mod space;
@@ -12,7 +13,7 @@ use crate::report::page::Verdict;
 use crate::report::runs::RunError;
 
 /// What is judged.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Check {
     /// Runge–Kutta 4 damps and the difference method does not; with a table of steps.
     Damping,
@@ -40,6 +41,23 @@ pub enum Check {
     Cardan,
 }
 
+/// The verdicts on a figure whose runs another figure has, without what is said there.
+pub fn repeated(blocks: Vec<Block>, earlier: u8) -> Vec<Block> {
+    let short = |block| match block {
+        Block::Verdict(verdict) => Some(Block::Verdict(Verdict {
+            reason: match verdict.judgement {
+                Judgement::HoldsWhen => {
+                    format!("the condition is met that Figure {earlier} gives for the same runs.")
+                }
+                _ => format!("The runs are those of Figure {earlier}: see there."),
+            },
+            ..verdict
+        })),
+        _ => None,
+    };
+    blocks.into_iter().filter_map(short).collect()
+}
+
 /// The verdicts of a figure, with what they rest on.
 pub fn check(scene: &Scene<'_>) -> Result<Vec<Block>, RunError> {
     let measures = &scene.measures;
@@ -52,7 +70,7 @@ pub fn check(scene: &Scene<'_>) -> Result<Vec<Block>, RunError> {
             "The two difference calculations highly coincide",
         )?],
         Check::CoincideFirst => vec![coincide::coincide_first(measures)],
-        Check::PartLast => vec![coincide::part_last(measures)],
+        Check::PartLast => vec![coincide::part_last(scene)],
         Check::Steps => coincide::steps(measures),
         Check::CoincideLast => measures
             .iter()
@@ -65,7 +83,7 @@ pub fn check(scene: &Scene<'_>) -> Result<Vec<Block>, RunError> {
             let stable = measures.iter().take(1).map(space::stable);
             stable.chain(space::sensitive(measures)).collect()
         }
-        Check::Cardan => space::cardan(measures)?,
+        Check::Cardan => cardan::cardan(measures)?,
     })
 }
 

@@ -34,11 +34,19 @@ struct Plan {
     /// From and to, [s].
     window: (f64, f64),
     /// Why this step and this window, where the paper does not give them.
-    choice: &'static str,
+    choice: String,
     /// What one more panel shows.
     extra: Extra,
     /// What judges the figure.
     check: Check,
+}
+
+impl Plan {
+    /// It says the same as `other` of the same runs.
+    fn says_of(&self, other: &Plan) -> bool {
+        let runs = |plan: &Plan| plan.curves.iter().map(|line| line.run).collect::<Vec<_>>();
+        self.check == other.check && runs(self) == runs(other)
+    }
 }
 
 /// A curve.
@@ -88,8 +96,10 @@ pub fn section(progress: &ProgressBar) -> Result<Section, RunError> {
     progress.inc_length(plans.len() as u64);
     let runs = Runs::make(&wanted, progress)?;
     let mut parts = Vec::new();
-    for plan in &plans {
-        parts.push(part(&scene(plan, &runs)?)?);
+    for (i, plan) in plans.iter().enumerate() {
+        let same = plans[..i].iter().find(|earlier| earlier.says_of(plan));
+        let earlier = same.map(|earlier| earlier.number);
+        parts.push(part(&scene(plan, &runs)?, earlier)?);
         progress.inc(1);
     }
     Ok(Section {
@@ -108,7 +118,9 @@ fn introduction() -> Vec<Block> {
         "Two curves coincide here while they differ by less than a hundredth of the range of the exact \
          angle, the width of a line in a plot. The lag is how much later than in the exact solution the \
          last full swing ends. Amplitude is that of the swing through the state, averaged over the last \
-         5 s; energy is a share of what the swing has above rest.",
+         5 s; energy is a share of what the swing has above rest. In space, tilt is the angle of the pendulum in \
+         the vertical plane that it starts in, the one angle of the exact swing; how far it has left this plane \
+         is told by the part of ω across the axis of the exact swing, as a share of the largest ω.",
     ];
     texts.map(|text| Block::Text(text.to_owned())).into()
 }
@@ -128,10 +140,15 @@ fn scene<'a>(plan: &'a Plan, runs: &'a Runs) -> Result<Scene<'a>, RunError> {
     })
 }
 
-fn part(scene: &Scene<'_>) -> Result<Section, RunError> {
+/// The part of a figure; `earlier` is the number of one that says the same of the same runs.
+fn part(scene: &Scene<'_>, earlier: Option<u8>) -> Result<Section, RunError> {
     let number = scene.plan.number;
     let mut blocks = vec![Block::Figure(draw::figure(scene)?), facts(scene)];
-    blocks.extend(check::check(scene)?);
+    let said = check::check(scene)?;
+    blocks.extend(match earlier {
+        Some(earlier) => check::repeated(said, earlier),
+        None => said,
+    });
     blocks.push(Block::Table(table(scene)));
     Ok(Section {
         id: format!("figure-{number}"),
@@ -151,7 +168,7 @@ fn facts(scene: &Scene<'_>) -> Block {
         facts.push((line.label.to_owned(), how + &ended));
     }
     if !scene.plan.choice.is_empty() {
-        facts.push(("Our choice".to_owned(), scene.plan.choice.to_owned()));
+        facts.push(("Our choice".to_owned(), scene.plan.choice.clone()));
     }
     Block::Facts(facts)
 }
@@ -172,19 +189,24 @@ fn describe(run: &Wanted) -> String {
 fn table(scene: &Scene<'_>) -> Table {
     let number = scene.plan.number;
     let planar = scene.curves.iter().all(|c| c.line.run.is_planar());
-    let mut head = vec![
-        "curve",
-        "h [s]",
-        "off, first 5 s [rad]",
-        "off, last 5 s [rad]",
-        "off, last 5 s [% of range]",
-        "coincides until [s]",
-        "lag [s]",
-        "amplitude [%]",
-        "energy error",
-    ];
+    let mut head = vec!["curve", "h [s]"];
+    head.extend(match planar {
+        true => [
+            "off, first 5 s [rad]",
+            "off, last 5 s [rad]",
+            "off, last 5 s [% of range]",
+            "coincides until [s]",
+        ],
+        false => [
+            "tilt off, first 5 s [rad]",
+            "tilt off, last 5 s [rad]",
+            "tilt off, last 5 s [% of range]",
+            "tilt coincides until [s]",
+        ],
+    });
+    head.extend(["lag [s]", "lag [periods]", "amplitude [%]", "energy error"]);
     if !planar {
-        head.push("ω off its axis");
+        head.extend(["ω off its axis", "plane off by 1 % from [s]"]);
     }
     head.push("iterations");
     let mut data = Data::new(&head);
@@ -197,11 +219,13 @@ fn table(scene: &Scene<'_>) -> Table {
             (100.0 * measure.last_share()).into(),
             measure.coincides_until.into(),
             measure.lag.into(),
+            (measure.lag / measure.period).into(),
             Cell::number(100.0 * measure.amplitude_change, 2),
             Cell::number(measure.energy_error, 2),
         ];
         if !planar {
             row.push(Cell::number(measure.off_axis, 2));
+            row.push(measure.plane_lost().into());
         }
         let implicit = measure.iterations > 0.0;
         row.push(implicit.then_some(measure.iterations).into());
@@ -210,7 +234,9 @@ fn table(scene: &Scene<'_>) -> Table {
     Table {
         csv: format!("figure-{number:02}-numbers"),
         caption: format!(
-            "Figure {number} in numbers: each curve against the exact solution over the whole run; iterations are Newton’s per step."
+            "Figure {number} in numbers: each curve against the exact solution over the whole run; iterations are Newton’s per \
+             step. From a lag of half a period on, the distance in % of the range tells no more how far apart the \
+             curves are: the lag in periods does."
         ),
         data,
     }

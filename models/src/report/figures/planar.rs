@@ -22,13 +22,28 @@ const MIDDLE: f64 = 0.02;
 const LARGE: f64 = 0.05;
 const SMALL: f64 = 0.01;
 
-const WHY_COARSE: &str = "The paper gives no h. Below h ≈ 0.08 s Runge–Kutta 4 loses less in 50 s than a \
-    line is wide (table of Figure 5), so what the paper describes needs a step near 0.1 s, which it uses in \
-    3D.";
-const WHY_MIDDLE: &str = "The paper gives no h. At 0.02 s the curves still coincide in the first 5 s and part visibly in the last 5 s, as the text says; at 0.05 s they part in the first 5 s already.";
 const WHY_LAST: &str = "The paper names no window; the last 5 s of the 50 s show the most.";
-const WHY_SMALL_LAST: &str = "The paper gives neither h nor window: h = 0.01 s, at which its next figures \
-    call the results good, and the last 5 s, which show the most.";
+
+fn why_coarse() -> String {
+    format!(
+        "The paper gives no h. At small h Runge–Kutta 4 loses less in 50 s than a line is wide (verdict and table of \
+         Figure 5), so what the paper describes needs a large one: {COARSE} s, which it uses in 3D."
+    )
+}
+
+fn why_middle() -> String {
+    format!(
+        "The paper gives no h. At {MIDDLE} s the curves still coincide in the first 5 s and part visibly in the last \
+         5 s, as the text says; at {LARGE} s they part in the first 5 s already."
+    )
+}
+
+fn why_small_last() -> String {
+    format!(
+        "The paper gives neither h nor window: h = {SMALL} s, at which its next figures call the results good, and the \
+         last 5 s, which show the most."
+    )
+}
 
 const ANGLE: &[&str] = &["θ", "ω"];
 
@@ -83,7 +98,7 @@ fn plan(
     title: &'static str,
     curves: Vec<Line>,
     window: (f64, f64),
-    choice: &'static str,
+    choice: impl Into<String>,
     extra: Extra,
     check: Check,
 ) -> Plan {
@@ -93,7 +108,7 @@ fn plan(
         curves,
         quantities: ANGLE,
         window,
-        choice,
+        choice: choice.into(),
         extra,
         check,
     }
@@ -128,7 +143,7 @@ pub fn plans() -> Vec<Plan> {
             "Runge–Kutta 4 and the difference method over 50 s",
             rk4_and_difference(),
             ALL,
-            WHY_COARSE,
+            why_coarse(),
             Extra::Amplitude,
             Check::Damping,
         ),
@@ -137,7 +152,7 @@ pub fn plans() -> Vec<Plan> {
             "Runge–Kutta 4 and the difference method, first 5 s",
             rk4_and_difference(),
             FIRST,
-            WHY_COARSE,
+            why_coarse(),
             Extra::Error,
             Check::FirstSeconds,
         ),
@@ -146,7 +161,7 @@ pub fn plans() -> Vec<Plan> {
             "Runge–Kutta 4 and the difference method, last 5 s",
             rk4_and_difference(),
             LAST,
-            WHY_COARSE,
+            why_coarse(),
             Extra::Error,
             Check::LastSeconds,
         ),
@@ -155,7 +170,7 @@ pub fn plans() -> Vec<Plan> {
             "The two difference forms of the angle model",
             forms("planar_angle", angle, COARSE),
             LAST,
-            WHY_COARSE,
+            why_coarse(),
             Extra::Forms,
             Check::Forms,
         ),
@@ -164,7 +179,7 @@ pub fn plans() -> Vec<Plan> {
             "The two difference forms in reduced attitude",
             forms("planar_reduced", reduced, SMALL),
             LAST,
-            WHY_SMALL_LAST,
+            why_small_last(),
             Extra::Forms,
             Check::Forms,
         ),
@@ -173,7 +188,7 @@ pub fn plans() -> Vec<Plan> {
             "Reduced attitude and angle against the exact solution, first 5 s",
             both(),
             FIRST,
-            WHY_MIDDLE,
+            why_middle(),
             Extra::Error,
             Check::CoincideFirst,
         ),
@@ -182,7 +197,7 @@ pub fn plans() -> Vec<Plan> {
             "Reduced attitude and angle against the exact solution, last 5 s",
             both(),
             LAST,
-            WHY_MIDDLE,
+            why_middle(),
             Extra::Error,
             Check::PartLast,
         ),
@@ -227,7 +242,7 @@ pub fn plans() -> Vec<Plan> {
             "The two difference forms in the Lie algebra",
             forms("planar_algebra", algebra, SMALL),
             LAST,
-            WHY_SMALL_LAST,
+            why_small_last(),
             Extra::Forms,
             Check::Forms,
         ),

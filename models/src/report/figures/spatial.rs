@@ -15,13 +15,29 @@ const VELOCITY: &[&str] = &["ω.x", "ω.y", "ω.z"];
 
 const WHY_VERTICAL: &str = "The paper does not say which attitude it plots: the vertical in the body frame, \
     which is what Eq. 70 solves for.";
-const WHY_WINDOW: &str = "The paper names no window; the last 5 s of the 100 s, as in Figures 18 and 19. The \
-    run with h = 0.01 s is added to judge what is said of the time step.";
-const WHY_ROW: &str = "The paper names no window and does not say what the attitude of an axis is: the last \
-    5 s, and the row of R that belongs to the axis, an unknown of Eq. 82. The run with h = 0.01 s is added to \
-    judge what is said of the time step.";
-const WHY_CARDAN: &str = "The paper names no window; the last 5 s of the 100 s. Eq. 86 is used in the order \
-    of rotations that the paper's start has, not in that of its misprint.";
+const WHY_CARDAN: &str = "The paper names no window; the last 5 s of the 100 s. The curves are those of Eq. 86 \
+    brought into the order R = Rx Ry Rz of the paper’s start; Eq. 86 as printed is for the order R = Rz Ry Rx, and \
+    stands in the table of Figure 26.";
+
+/// Steps of Figures 18 and 19, and of 20 to 25 with the finer one that is compared.
+const RECURSIVE: f64 = 0.05;
+const COARSE: f64 = 0.1;
+const FINE: f64 = 0.01;
+
+fn why_window() -> String {
+    format!(
+        "The paper names no window; the last 5 s of the 100 s, as in Figures 18 and 19. The run with h = {FINE} s is \
+         added to judge what is said of the time step."
+    )
+}
+
+fn why_row() -> String {
+    format!(
+        "The paper names no window and does not say what the attitude of an axis is: the last 5 s, and the row of R \
+         that belongs to the axis, an unknown of Eq. 82. The run with h = {FINE} s is added to judge what is said of \
+         the time step."
+    )
+}
 
 fn line(label: &'static str, model: &'static str, step: f64) -> Line {
     let form = match model {
@@ -44,7 +60,7 @@ fn plan(
     title: &'static str,
     curves: Vec<Line>,
     quantities: &'static [&'static str],
-    choice: &'static str,
+    choice: impl Into<String>,
     check: Check,
 ) -> Plan {
     Plan {
@@ -53,7 +69,7 @@ fn plan(
         curves,
         quantities,
         window: LAST,
-        choice,
+        choice: choice.into(),
         extra: Extra::None,
         check,
     }
@@ -64,19 +80,28 @@ pub fn group(step: f64) -> Wanted {
     line("", "spatial_group", step).run
 }
 
+/// The Cardan angles: by Eq. 86 as printed, which is for R = Rz Ry Rx, or in the order R = Rx Ry Rz.
+pub fn cardan(as_printed: bool, step: f64) -> Wanted {
+    let model = match as_printed {
+        true => "spatial_cardan_zyx",
+        false => "spatial_cardan",
+    };
+    line("", model, step).run
+}
+
 /// The figures.
 pub fn plans() -> Vec<Plan> {
-    let recursive = || vec![line("Eq. 70, h = 0.05 s", "spatial_recursive", 0.05)];
+    let recursive = || vec![line("Eq. 70, h = 0.05 s", "spatial_recursive", RECURSIVE)];
     let reduced = || {
         vec![
-            line("h = 0.1 s", "spatial_reduced", 0.1),
-            line("h = 0.01 s", "spatial_reduced", 0.01),
+            line("h = 0.1 s", "spatial_reduced", COARSE),
+            line("h = 0.01 s", "spatial_reduced", FINE),
         ]
     };
     let group = || {
         vec![
-            line("h = 0.1 s", "spatial_group", 0.1),
-            line("h = 0.01 s", "spatial_group", 0.01),
+            line("h = 0.1 s", "spatial_group", COARSE),
+            line("h = 0.01 s", "spatial_group", FINE),
         ]
     };
     let cardan = || {
@@ -116,7 +141,7 @@ pub fn plans() -> Vec<Plan> {
             "Angular velocity, reduced attitude (Eq. 77)",
             reduced(),
             VELOCITY,
-            WHY_WINDOW,
+            why_window(),
             steps,
         ),
         plan(
@@ -124,7 +149,7 @@ pub fn plans() -> Vec<Plan> {
             "Attitude, reduced attitude",
             reduced(),
             reduced_vertical,
-            WHY_WINDOW,
+            why_window(),
             steps,
         ),
         plan(
@@ -132,7 +157,7 @@ pub fn plans() -> Vec<Plan> {
             "Angular velocity, complete group (Eq. 82)",
             group(),
             VELOCITY,
-            WHY_WINDOW,
+            why_window(),
             steps,
         ),
         plan(
@@ -140,7 +165,7 @@ pub fn plans() -> Vec<Plan> {
             "Attitude of the x axis, complete group",
             group(),
             x,
-            WHY_ROW,
+            why_row(),
             steps,
         ),
         plan(
@@ -148,7 +173,7 @@ pub fn plans() -> Vec<Plan> {
             "Attitude of the y axis, complete group",
             group(),
             y,
-            WHY_ROW,
+            why_row(),
             steps,
         ),
         plan(
@@ -156,7 +181,7 @@ pub fn plans() -> Vec<Plan> {
             "Attitude of the z axis, complete group",
             group(),
             z,
-            WHY_ROW,
+            why_row(),
             steps,
         ),
         plan(

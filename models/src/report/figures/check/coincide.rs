@@ -73,18 +73,19 @@ pub(super) fn coincide_first(measures: &[Measure]) -> Block {
     verdict(judgement, statement, reason)
 }
 
-pub(super) fn part_last(measures: &[Measure]) -> Block {
+pub(super) fn part_last(scene: &Scene<'_>) -> Block {
+    let measures = &scene.measures;
     let statement = "Section 6, on Figures 10 and 11: later the results are obviously distinguishable from the standard values.";
     let least = measures
         .iter()
         .map(Measure::last_share)
         .fold(f64::INFINITY, f64::min);
-    let each: Vec<String> = measures
-        .iter()
-        .map(|measure| {
+    let labels = scene.curves.iter().map(|curve| curve.line.label);
+    let each: Vec<String> = labels
+        .zip(measures)
+        .map(|(label, measure)| {
             format!(
-                "{} {}, {} of the range off",
-                measure.run.model,
+                "{label} {}, {} of the range off",
                 lag(measure.lag),
                 percent(measure.last_share())
             )

@@ -155,7 +155,7 @@ pub(super) fn first_seconds(measures: &[Measure]) -> Result<Block, RunError> {
         rounded(limit, 2),
         percent(share),
         match limit < damping_limit()? {
-            true => "No h shows both this and the damping of Figure 5.",
+            true => "No common h shows both this and the damping of Figure 5.",
             false => "",
         }
     );

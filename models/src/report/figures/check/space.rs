@@ -1,16 +1,11 @@
-//! Stability and sensitivity in space: Figures 18 to 27.
+//! Stability and sensitivity in space: Figures 18 to 25.
 
-use super::super::spatial;
-use super::damping::measured;
 use super::lag;
-use super::percent;
 use super::verdict;
 use crate::notation::rounded;
-use crate::report::measure::COINCIDE;
 use crate::report::measure::Measure;
 use crate::report::page::Block;
 use crate::report::page::Judgement;
-use crate::report::runs::RunError;
 
 /// Largest share by which energy or amplitude may change in a run that counts as stable. A thousandth of
 /// the amplitude is a tenth of the width of a line; schemes that conserve stay below 1e-11.
@@ -54,50 +49,4 @@ pub(super) fn sensitive(measures: &[Measure]) -> Option<Block> {
     );
     let statement = "Section 6 and conclusion 4: low sensitivity to the time step; 0.1 s and 0.01 s are not obviously distinguishable.";
     Some(verdict(judgement, statement, reason))
-}
-
-pub(super) fn cardan(measures: &[Measure]) -> Result<Vec<Block>, RunError> {
-    let [coarse, fine, ..] = measures else {
-        return Ok(Vec::new());
-    };
-    let (h, half) = (coarse.run.step, fine.run.step);
-    let lost = coarse.off_axis > COINCIDE;
-    let reason = format!(
-        "What is lost is the plane of the swing, and with it the angular momentum about the vertical: the part of ω \
-         across its exact axis grows from exactly 0 to {} of the largest ω at h = {h} s and {} at {half} s. \
-         It is no collapse: Newton converges in every step, and the energy is off by {} and {} of the \
-         swing's, without a trend.",
-        percent(coarse.off_axis),
-        percent(fine.off_axis),
-        rounded(coarse.energy_error, 2),
-        rounded(fine.energy_error, 2)
-    );
-    let group = measured(&spatial::group(h))?;
-    let steps = format!(
-        "one looks at the plane of the swing: it turns at a rate that goes with h², is off by a hundredth after {} s at \
-         h = {h} s and after {} s at {half} s, so that late in the run the two steps show different planes. In \
-         tilt and energy these runs are no more sensitive than others: halving h divides the energy error by {}, \
-         and at h = {h} s the run is {}, that of the complete group {}.",
-        rounded(coarse.on_axis_until, 2),
-        rounded(fine.on_axis_until, 2),
-        rounded(coarse.energy_error / fine.energy_error, 2),
-        lag(coarse.lag),
-        lag(group.lag)
-    );
-    let sensitive = match fine.on_axis_until > coarse.on_axis_until {
-        true => Judgement::HoldsWhen,
-        false => Judgement::DoesNotHold,
-    };
-    Ok(vec![
-        verdict(
-            Judgement::of(lost),
-            "Section 6, on Figures 26 and 27, and conclusion 5: the dynamics are lost in Cardan angles.",
-            reason,
-        ),
-        verdict(
-            sensitive,
-            "Section 6, on Figures 26 and 27: very sensitive to the time step.",
-            steps,
-        ),
-    ])
 }
