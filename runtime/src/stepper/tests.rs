@@ -3,7 +3,6 @@
 use crate::Real;
 use crate::Settings;
 use crate::Stepper;
-use crate::Success;
 use crate::specimens::pendulum::Next;
 use crate::specimens::pendulum::Parameters;
 use crate::specimens::pendulum::State;
