@@ -37,9 +37,11 @@ pub(crate) struct Newton<S: Correctable<T>, T: Real> {
     previous: S::Unknowns,
     /// Where earlier solutions lay from their guesses.
     shifts: Shifts<S::Unknowns>,
-    /// A first correction up to this size leaves rounding, as second corrections told; 0 as long as nothing
-    /// is known.
+    /// First corrections up to here leave less than rounding, as second corrections told: so many times `scales`.
     enough: T,
+    /// The scales of the unknowns when convergence was last measured; only with them are sizes comparable, for the
+    /// scale of an angle that passes through zero is small for a moment.
+    scales: S::Unknowns,
     /// Steps until that is found out anew.
     trust: u32,
     history: History,
@@ -56,6 +58,7 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
             previous: zeros,
             shifts: Shifts::new(zeros),
             enough: T::constant(0.0),
+            scales: zeros,
             trust: 0,
             history: History::default(),
         }
@@ -130,12 +133,12 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
             let progress = self.progress(&correction, known);
             self.history.push(progress.size.to_f64());
             if self.history.iterations() == 1 {
-                if self.is_enough(progress.size) {
+                if self.is_enough(&correction) {
                     return Ok(self.report(Success::Converged, progress));
                 }
             } else {
                 if self.history.iterations() == 2 {
-                    self.learn(before, progress.size);
+                    self.learn(&correction, known);
                 }
                 if self.is_last(progress.size, before) {
                     return Ok(self.report(Success::Converged, progress));
@@ -183,35 +186,48 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
         fell.all(|fell| fell) || self.residual_is_rounding(known)
     }
 
-    /// Whether the error left after a first correction of size `e` is far below rounding, if Newton's method
-    /// converges as it did of late.
+    /// Whether the error left after this first correction is far below rounding, if Newton's method converges as it
+    /// did of late.
     #[inline]
-    fn is_enough(&mut self, e: T) -> bool {
+    fn is_enough(&mut self, correction: &S::Unknowns) -> bool {
         if self.trust == 0 || self.settings.tolerance < T::EPSILON {
             return false;
         }
         self.trust -= 1;
-        e <= self.enough
+        let pairs = correction.as_ref().iter().zip(self.scales.as_ref());
+        let mut within = pairs.map(|(c, scale)| c.abs() <= self.enough * *scale);
+        within.all(|within| within)
     }
 
-    /// Takes in how a first correction of size `e` was followed by one of size `after`. Newton's method converges
-    /// quadratically: had the first been smaller by a factor, the second would have been by its square.
-    fn learn(&mut self, e: T, after: T) {
-        let epsilon = T::EPSILON;
-        let seen = if after > T::constant(AT_ROUNDING) * epsilon {
-            Some(after)
-        } else {
-            None
-        };
-        let largest = T::constant(LEFTOVER) * epsilon;
-        let enough = e * (largest / seen.unwrap_or(epsilon)).sqrt();
-        let is_news = seen.is_some() || self.trust == 0 || enough > self.enough;
-        if is_news {
+    /// Takes in how the first correction was followed by this second one. Newton's method converges quadratically:
+    /// had the first been smaller by a factor, the second would have been by its square.
+    fn learn(&mut self, second: &S::Unknowns, known: &[T]) {
+        let is_due = self.trust == 0;
+        if is_due {
+            self.trust = TRUSTED_STEPS;
+            let mut scales = self.scales;
+            for (unknowns, scale) in self.blocks(known) {
+                scales.as_mut()[unknowns].fill(scale);
+            }
+            self.scales = scales;
+        }
+        let first = self.relative(&self.previous);
+        let second = self.relative(second);
+        let is_seen = second > T::constant(AT_ROUNDING) * T::EPSILON;
+        let largest = T::constant(LEFTOVER) * T::EPSILON;
+        let enough = first * (largest / if is_seen { second } else { T::EPSILON }).sqrt();
+        if is_seen || is_due || enough > self.enough {
             self.enough = enough;
         }
-        if self.trust == 0 {
-            self.trust = TRUSTED_STEPS;
-        }
+    }
+
+    /// The largest component of a correction relative to `scales`.
+    fn relative(&self, correction: &S::Unknowns) -> T {
+        let pairs = correction.as_ref().iter().zip(self.scales.as_ref());
+        pairs.fold(T::constant(0.0), |largest, (c, scale)| {
+            let size = c.abs() / *scale;
+            if size > largest { size } else { largest }
+        })
     }
 
     /// Whether the error left after a correction of size `e` is within the tolerance even if convergence were

@@ -149,6 +149,29 @@ fn residual_vanishes_at_the_accepted_step() {
     });
 }
 
+/// Every step of a run, whatever its starting value and however few corrections it took, ends where plain Newton
+/// ends from the same state: within Newton's tolerance and what the condition of a step makes of it.
+#[test]
+fn no_step_is_left_unconverged() {
+    for_every_solver(|model, solver, what| {
+        let mut points = Points::new(9);
+        for h in [0.002, 0.005, 0.01] {
+            let varied = Case::varied(model, &mut points).kicked(&mut points);
+            for mut case in [Case::of_file(model), varied] {
+                let states = case.states(solver, h, 300);
+                for (k, pair) in states.windows(2).enumerate() {
+                    case.start.clone_from(&pair[0]);
+                    let x = solve(&case, solver, h);
+                    let mut expected = vec![0.0; case.start.len()];
+                    solver.next(&case.at(h, &case.start), &x, &mut expected);
+                    let off = distance(&pair[1], &expected);
+                    assert!(off <= 1e-11, "{what}, h = {h}: step {k} is {off:e} off");
+                }
+            }
+        }
+    });
+}
+
 /// Largest difference, relative where values are above one. Not a number counts as infinite.
 fn distance(a: &[f64], b: &[f64]) -> f64 {
     let relative = |(a, b): (&f64, &f64)| (a - b).abs() / b.abs().max(1.0);
