@@ -150,7 +150,8 @@ fn residual_vanishes_at_the_accepted_step() {
 }
 
 /// Every step of a run, whatever its starting value and however few corrections it took, ends where plain Newton
-/// ends from the same state: within Newton's tolerance and what the condition of a step makes of it.
+/// ends from the same state: Newton's tolerance is 1e-12 of unknowns of up to ten, and the condition of a step (angles
+/// near the edge of their chart) costs another digit.
 #[test]
 fn no_step_is_left_unconverged() {
     for_every_solver(|model, solver, what| {
@@ -165,7 +166,7 @@ fn no_step_is_left_unconverged() {
                     let mut expected = vec![0.0; case.start.len()];
                     solver.next(&case.at(h, &case.start), &x, &mut expected);
                     let off = distance(&pair[1], &expected);
-                    assert!(off <= 1e-11, "{what}, h = {h}: step {k} is {off:e} off");
+                    assert!(off <= 1e-10, "{what}, h = {h}: step {k} is {off:e} off");
                 }
             }
         }
