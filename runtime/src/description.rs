@@ -1,5 +1,7 @@
 //! What a model says about itself.
 
+use core::ops::Range;
+
 /// Everything about a model but its arithmetic.
 #[derive(Debug)]
 pub struct Description {
@@ -85,8 +87,9 @@ pub struct Unknown {
     pub name: &'static str,
     /// Components.
     pub len: usize,
-    /// Position of the state it advances in the flat state, if it does.
-    pub state: Option<usize>,
+    /// The state that it advances, in the flat state, if it does: what its size is measured by. For some components
+    /// of a vector that is all of it.
+    pub measure: Option<Range<usize>>,
 }
 
 /// An equation.

@@ -37,11 +37,8 @@ pub(crate) struct Newton<S: Correctable<T>, T: Real> {
     previous: S::Unknowns,
     /// Where earlier solutions lay from their guesses.
     shifts: Shifts<S::Unknowns>,
-    /// First corrections up to here leave less than rounding, as second corrections told: so many times `scales`.
-    enough: T,
-    /// The scales of the unknowns when convergence was last measured; only with them are sizes comparable, for the
-    /// scale of an angle that passes through zero is small for a moment.
-    scales: S::Unknowns,
+    /// First corrections up to here, unknown by unknown, leave less than rounding, as second corrections told.
+    enough: S::Unknowns,
     /// Steps until that is found out anew.
     trust: u32,
     history: History,
@@ -57,8 +54,7 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
             j,
             previous: zeros,
             shifts: Shifts::new(zeros),
-            enough: T::constant(0.0),
-            scales: zeros,
+            enough: zeros,
             trust: 0,
             history: History::default(),
         }
@@ -89,7 +85,7 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
         let report = match outcome {
             Ok(report) => report,
             Err(failure) => {
-                self.enough = T::constant(0.0);
+                self.enough.as_mut().fill(T::constant(0.0));
                 return Err(self.fault(failure));
             }
         };
@@ -194,40 +190,37 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
             return false;
         }
         self.trust -= 1;
-        let pairs = correction.as_ref().iter().zip(self.scales.as_ref());
-        let mut within = pairs.map(|(c, scale)| c.abs() <= self.enough * *scale);
+        let pairs = correction.as_ref().iter().zip(self.enough.as_ref());
+        let mut within = pairs.map(|(c, enough)| c.abs() <= *enough);
         within.all(|within| within)
     }
 
     /// Takes in how the first correction was followed by this second one. Newton's method converges quadratically:
-    /// had the first been smaller by a factor, the second would have been by its square.
+    /// had all of the first been smaller by a factor, the second would have been by its square.
     fn learn(&mut self, second: &S::Unknowns, known: &[T]) {
+        let largest = T::constant(LEFTOVER) * T::EPSILON;
+        let mut square = T::constant(LEFTOVER);
+        for (unknowns, scale) in self.blocks(known) {
+            let size = self::largest(&second.as_ref()[unknowns]);
+            let is_seen = size > T::constant(AT_ROUNDING) * T::EPSILON * scale;
+            if is_seen && largest * scale < square * size {
+                square = largest * scale / size;
+            }
+        }
         let is_due = self.trust == 0;
+        let mut enough = self.enough;
+        for (unknowns, _) in self.blocks(known) {
+            let limit = square.sqrt() * self::largest(&self.previous.as_ref()[unknowns.clone()]);
+            for enough in &mut enough.as_mut()[unknowns] {
+                if is_due || limit > *enough {
+                    *enough = limit;
+                }
+            }
+        }
+        self.enough = enough;
         if is_due {
             self.trust = TRUSTED_STEPS;
-            let mut scales = self.scales;
-            for (unknowns, scale) in self.blocks(known) {
-                scales.as_mut()[unknowns].fill(scale);
-            }
-            self.scales = scales;
         }
-        let first = self.relative(&self.previous);
-        let second = self.relative(second);
-        let is_seen = second > T::constant(AT_ROUNDING) * T::EPSILON;
-        let largest = T::constant(LEFTOVER) * T::EPSILON;
-        let enough = first * (largest / if is_seen { second } else { T::EPSILON }).sqrt();
-        if is_seen || is_due || enough > self.enough {
-            self.enough = enough;
-        }
-    }
-
-    /// The largest component of a correction relative to `scales`.
-    fn relative(&self, correction: &S::Unknowns) -> T {
-        let pairs = correction.as_ref().iter().zip(self.scales.as_ref());
-        pairs.fold(T::constant(0.0), |largest, (c, scale)| {
-            let size = c.abs() / *scale;
-            if size > largest { size } else { largest }
-        })
     }
 
     /// Whether the error left after a correction of size `e` is within the tolerance even if convergence were
@@ -310,8 +303,8 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
         blocks.iter().map(move |block| {
             let unknowns = offset..offset + block.len;
             offset = unknowns.end;
-            let now = match block.state {
-                Some(state) => largest(&known[state..state + block.len]),
+            let now = match &block.measure {
+                Some(states) => largest(&known[states.clone()]),
                 None => T::constant(0.0),
             };
             let next = largest(&self.x.as_ref()[unknowns.clone()]);

@@ -15,7 +15,6 @@ use crate::schedule::Program;
 use crate::schedule::Solver;
 use proc_macro2::TokenStream;
 use quote::quote;
-use std::ops::Range;
 
 /// `DESCRIPTION`
 pub(super) fn emit(model: &Model, program: &Program, findings: &[Finding]) -> TokenStream {
@@ -99,10 +98,10 @@ fn variable(variable: &Variable) -> TokenStream {
 
 fn solver(model: &Model, solver: &Solver) -> TokenStream {
     let form = solver.form.keyword();
-    let unknowns = model.solved.iter().map(|&s| {
-        let all = 0..model.solved_variable(s).shape.len();
-        unknown(model, s, solver.form, all)
-    });
+    let unknowns = model
+        .solved
+        .iter()
+        .map(|&s| unknown(model, s, solver.form, model.solved_variable(s).shape.len()));
     let equations = model.residual.iter().map(|e| {
         let (text, line, len) = (&e.text, whole(e.range.line()), whole(e.shape.len()));
         quote!(::residua::description::Equation { text: #text, line: #line, len: #len })
@@ -126,28 +125,24 @@ fn solver(model: &Model, solver: &Solver) -> TokenStream {
     }
 }
 
-/// A block of unknowns: these components of a variable.
-pub(super) fn unknown(
-    model: &Model,
-    solved: Solved,
-    form: Form,
-    components: Range<usize>,
-) -> TokenStream {
+/// A block of unknowns: some components of a variable.
+pub(super) fn unknown(model: &Model, solved: Solved, form: Form, len: usize) -> TokenStream {
     let variable = model.solved_variable(solved);
-    let (shown, len) = (&variable.name.display, whole(components.len()));
+    let (shown, len) = (&variable.name.display, whole(len));
     let name = match (solved, form) {
         (Solved::Own(_), _) => shown.clone(),
         (Solved::State(_), Form::Next) => format!("{shown}[k+1]"),
         (Solved::State(_), Form::Increment) => format!("Δ{shown}"),
     };
-    let state = match solved {
+    let measure = match solved {
         Solved::Own(_) => quote!(::core::option::Option::None),
         Solved::State(_) => {
-            let offset = whole(variable.offset + components.start);
-            quote!(::core::option::Option::Some(#offset))
+            let start = whole(variable.offset);
+            let end = whole(variable.offset + variable.shape.len());
+            quote!(::core::option::Option::Some(#start..#end))
         }
     };
-    quote!(::residua::description::Unknown { name: #name, len: #len, state: #state })
+    quote!(::residua::description::Unknown { name: #name, len: #len, measure: #measure })
 }
 
 fn count(count: Count) -> TokenStream {

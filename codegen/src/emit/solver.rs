@@ -150,19 +150,15 @@ fn core_name(form: Form) -> Ident {
     identifier(&format!("{}Core", name(form)))
 }
 
-/// The blocks of some of the unknowns: runs of components of one variable.
+/// The blocks of some of the unknowns: components of one variable each.
 fn unknowns(model: &Model, form: Form, kept: &[usize]) -> Vec<TokenStream> {
     let mut blocks = Vec::new();
     let mut offset = 0;
     for &solved in &model.solved {
         let own = offset..offset + model.solved_variable(solved).shape.len();
-        let mine: Vec<usize> = kept
-            .iter()
-            .filter(|i| own.contains(i))
-            .map(|i| i - offset)
-            .collect();
-        for run in mine.chunk_by(|a, b| b - a == 1) {
-            blocks.push(unknown(model, solved, form, run[0]..run[0] + run.len()));
+        let len = kept.iter().filter(|i| own.contains(i)).count();
+        if len > 0 {
+            blocks.push(unknown(model, solved, form, len));
         }
         offset = own.end;
     }

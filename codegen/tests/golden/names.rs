@@ -525,12 +525,12 @@ mod increment_core {
             ::residua::description::Unknown {
                 name: "Δr",
                 len: 1,
-                state: ::core::option::Option::Some(2),
+                measure: ::core::option::Option::Some(2..3),
             },
             ::residua::description::Unknown {
                 name: "ΔNext",
                 len: 1,
-                state: ::core::option::Option::Some(3),
+                measure: ::core::option::Option::Some(3..4),
             },
         ];
         const SOLVER: usize = 0;
@@ -816,17 +816,17 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
                 ::residua::description::Unknown {
                     name: "Δx",
                     len: 2,
-                    state: ::core::option::Option::Some(0),
+                    measure: ::core::option::Option::Some(0..2),
                 },
                 ::residua::description::Unknown {
                     name: "Δr",
                     len: 1,
-                    state: ::core::option::Option::Some(2),
+                    measure: ::core::option::Option::Some(2..3),
                 },
                 ::residua::description::Unknown {
                     name: "ΔNext",
                     len: 1,
-                    state: ::core::option::Option::Some(3),
+                    measure: ::core::option::Option::Some(3..4),
                 },
             ],
             equations: &[

@@ -320,7 +320,7 @@ mod next_core {
             ::residua::description::Unknown {
                 name: "ω[k+1]",
                 len: 1,
-                state: ::core::option::Option::Some(0),
+                measure: ::core::option::Option::Some(0..1),
             },
         ];
         const SOLVER: usize = 0;
@@ -630,7 +630,7 @@ mod increment_core {
             ::residua::description::Unknown {
                 name: "Δω",
                 len: 1,
-                state: ::core::option::Option::Some(0),
+                measure: ::core::option::Option::Some(0..1),
             },
         ];
         const SOLVER: usize = 1;
@@ -842,12 +842,12 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
                 ::residua::description::Unknown {
                     name: "ω[k+1]",
                     len: 1,
-                    state: ::core::option::Option::Some(0),
+                    measure: ::core::option::Option::Some(0..1),
                 },
                 ::residua::description::Unknown {
                     name: "Γ[k+1]",
                     len: 2,
-                    state: ::core::option::Option::Some(1),
+                    measure: ::core::option::Option::Some(1..3),
                 },
             ],
             equations: &[
@@ -926,12 +926,12 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
                 ::residua::description::Unknown {
                     name: "Δω",
                     len: 1,
-                    state: ::core::option::Option::Some(0),
+                    measure: ::core::option::Option::Some(0..1),
                 },
                 ::residua::description::Unknown {
                     name: "ΔΓ",
                     len: 2,
-                    state: ::core::option::Option::Some(1),
+                    measure: ::core::option::Option::Some(1..3),
                 },
             ],
             equations: &[

@@ -288,7 +288,7 @@ const fn force(name: &'static str) -> Unknown {
     Unknown {
         name,
         len: 1,
-        state: None,
+        measure: None,
     }
 }
 

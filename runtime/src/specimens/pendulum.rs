@@ -231,7 +231,7 @@ const fn unknown(name: &'static str, state: usize) -> Unknown {
     Unknown {
         name,
         len: 1,
-        state: Some(state),
+        measure: Some(state..state + 1),
     }
 }
 

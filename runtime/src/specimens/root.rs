@@ -21,7 +21,7 @@ pub(crate) trait Problem<const N: usize> {
     const UNKNOWNS: &'static [Unknown] = &[Unknown {
         name: "x[k+1]",
         len: N,
-        state: Some(0),
+        measure: Some(0..N),
     }];
     /// r and J at x.
     fn evaluate(x: [f64; N]) -> Evaluated<N>;
