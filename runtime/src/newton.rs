@@ -20,8 +20,6 @@ use crate::settings::RATE_MARGIN;
 use crate::settings::ROUNDING;
 use crate::settings::Settings;
 use crate::settings::TRUSTED_STEPS;
-use crate::shifts::HIGHEST;
-use crate::shifts::SHORT;
 use crate::shifts::Shifts;
 
 /// Newton's method with its workspace, made once per run.
@@ -71,8 +69,7 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
     ) -> Result<(S::Unknowns, Report), Fault> {
         let guess = S::guess(scene, step);
         // Now and then from further away, so that convergence shows above rounding.
-        let order = if self.trust == 0 { SHORT } else { HIGHEST };
-        let starts = [self.shifts.ahead(guess, order), guess];
+        let starts = [self.shifts.ahead(guess, self.trust == 0), guess];
         let attempts = if self.shifts.are_zero() { 1 } else { 2 };
         let mut outcome = Err(Failure::Stalled);
         for x in starts.into_iter().take(attempts) {

@@ -2,13 +2,16 @@
 
 use crate::scalar::Real;
 
-/// Highest order of extrapolation: the polynomial through the last ten solutions. At ordinary steps six are enough in
-/// the plane and ten in space that the start is within rounding of the solution after one correction; more magnify
-/// rounding without getting closer.
-pub(crate) const HIGHEST: usize = 10;
+/// Highest order of extrapolation: the polynomial through the last ten solutions. At ordinary steps ten are enough in
+/// space that the start is within rounding of the solution after one correction; more magnify rounding without
+/// getting closer.
+const HIGHEST: usize = 10;
+
+/// The highest for one or two unknowns: six are enough in the plane, where a correction costs as much as four more.
+const HIGHEST_OF_FEW: usize = 6;
 
 /// An order that leaves enough for two corrections.
-pub(crate) const SHORT: usize = 2;
+const SHORT: usize = 2;
 
 /// How much worse than the order below an order may have been and still be used. Where a difference passes through
 /// zero the order below looks better than it is, by up to 1; rounding and rough motions grow by 2 per order.
@@ -41,13 +44,15 @@ impl<X: Copy> Shifts<X> {
         self.seen == 0
     }
 
-    /// `guess` shifted by what the next solution is expected to lie from it, by extrapolation of order `highest` at most.
+    /// `guess` shifted by what the next solution is expected to lie from it, by extrapolation of a low order if it is to be
+    /// `short`.
     #[inline]
-    pub(crate) fn ahead<T: Real>(&self, guess: X, highest: usize) -> X
+    pub(crate) fn ahead<T: Real>(&self, guess: X, short: bool) -> X
     where
         X: AsRef<[T]> + AsMut<[T]>,
     {
         let mut x = guess;
+        let highest = if short { SHORT } else { highest(&x) };
         for (i, x) in x.as_mut().iter_mut().enumerate() {
             let difference = |order: usize| self.differences[order].as_ref()[i];
             // What the prediction of this order missed in the last two steps, the larger.
@@ -80,10 +85,11 @@ impl<X: Copy> Shifts<X> {
     where
         X: AsRef<[T]> + AsMut<[T]>,
     {
+        let used = highest(solution) + 2;
         let pairs = solution.as_ref().iter().zip(guess.as_ref());
         for (i, (&solution, &guess)) in pairs.enumerate() {
             let mut difference = solution - guess;
-            for older in &mut self.differences {
+            for older in &mut self.differences[..used] {
                 let older = &mut older.as_mut()[i];
                 let next = difference - *older;
                 *older = difference;
@@ -91,5 +97,14 @@ impl<X: Copy> Shifts<X> {
             }
         }
         self.seen = (self.seen + 1).min(HIGHEST + 2);
+    }
+}
+
+/// The highest order for so many unknowns.
+fn highest<T>(unknowns: &impl AsRef<[T]>) -> usize {
+    if unknowns.as_ref().len() <= 2 {
+        HIGHEST_OF_FEW
+    } else {
+        HIGHEST
     }
 }

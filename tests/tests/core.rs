@@ -59,7 +59,7 @@ fn start<M: residua::Model<f64>>() -> (M::Parameters, M::State) {
 #[test]
 fn a_vanishing_divisor_falls_back_to_all_unknowns() {
     use vanishing_divisor::{Model, Next, NextCore, State};
-    assert!(<Next as System<f64>>::HAS_CORE);
+    const { assert!(<Next as System<f64>>::HAS_CORE) };
     let (parameters, start) = start::<Model>();
     let mut stepper = Stepper::<Next>::new(parameters, start, 0.1).unwrap();
     for _ in 0..5 {
