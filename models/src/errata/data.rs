@@ -13,11 +13,11 @@ use serde::Serialize;
 pub struct Body {
     /// The model.
     pub model: &'static str,
-    /// Smallest moment of inertia about the pivot, [kg·m²].
+    /// Smallest moment of inertia about the pivot, kg·m².
     pub pivot: f64,
-    /// What the offset of the centre of mass alone makes of it about the same axis: m l², [kg·m²].
+    /// What the offset of the centre of mass alone makes of it about the same axis: m l², kg·m².
     pub offset: f64,
-    /// Smallest moment of inertia about the centre of mass that is left, [kg·m²].
+    /// Smallest moment of inertia about the centre of mass that is left, kg·m².
     pub central: f64,
 }
 

@@ -21,7 +21,7 @@ const TOLERANCE: f64 = 1e-12;
 /// How far to run.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Plan {
-    /// h, [s]
+    /// h, s
     pub h: f64,
     /// Steps from the model's start.
     pub steps: usize,

@@ -19,7 +19,7 @@ pub struct Figure {
     pub time: String,
     /// From top to bottom.
     pub panels: Vec<Panel>,
-    /// Width of the picture, [px].
+    /// Width of the picture, px.
     pub width: i32,
 }
 
@@ -47,27 +47,27 @@ pub struct Curve {
 
 /// Backend units per pixel: plotters rounds coordinates to integers, which would show as steps.
 const SCALE: i32 = 10;
-/// Width of a picture that stands by itself, [px].
+/// Width of a picture that stands by itself, px.
 pub const WIDTH: i32 = 960;
-/// Height of the title, [px].
+/// Height of the title, px.
 const HEADER: i32 = 62;
-/// Height of a panel, [px].
+/// Height of a panel, px.
 const PANEL: i32 = 148;
-/// Space above the curves of a panel for its title, [px].
+/// Space above the curves of a panel for its title, px.
 const CAPTION: i32 = 26;
-/// Height of the time axis below the last panel, [px].
+/// Height of the time axis below the last panel, px.
 const AXIS: i32 = 46;
-/// Space left of the curves for the values, [px].
+/// Space left of the curves for the values, px.
 const LEFT: i32 = 64;
-/// Least and most space right of the curves for the legend, [px].
+/// Least and most space right of the curves for the legend, px.
 const RIGHT: (i32, i32) = (104, 260);
-/// Space right of the curves where the legend is above them: half of the last number of the axis, [px].
+/// Space right of the curves where the legend is above them: half of the last number of the axis, px.
 const EDGE: i32 = 16;
-/// Length of the line before a name in the legend, [px].
+/// Length of the line before a name in the legend, px.
 const SWATCH_LINE: i32 = 22;
-/// Space that it takes with its margins, [px].
+/// Space that it takes with its margins, px.
 const SWATCH: i32 = SWATCH_LINE + 26;
-/// Width of a letter in the legend, on the safe side, [px].
+/// Width of a letter in the legend, on the safe side, px.
 const LETTER: i32 = 7;
 
 /// Width of a curve, [backend units].
@@ -164,11 +164,11 @@ fn header_height(figure: &Figure) -> i32 {
 
 /// What all panels share.
 struct Frame {
-    /// Of the picture, [px].
+    /// Of the picture, px.
     width: i32,
     start: f64,
     end: f64,
-    /// Space right of the curves, [px].
+    /// Space right of the curves, px.
     right: i32,
     /// Where the names of the curves are.
     legend: Legend,

@@ -11,10 +11,10 @@ use super::runs::Wanted;
 /// of the height of a plot is the width of its lines.
 pub const COINCIDE: f64 = 0.01;
 
-/// Length of the windows at the start and the end that the paper shows, [s].
+/// Length of the windows at the start and the end that the paper shows, s.
 pub const WINDOW: f64 = 5.0;
 
-/// Sampled times may be this far outside a window by rounding, [s].
+/// Sampled times may be this far outside a window by rounding, s.
 pub const SLACK: f64 = 1e-9;
 
 fn largest(values: &[f64]) -> f64 {
@@ -32,19 +32,19 @@ pub struct Swing {
 pub struct Measure {
     /// The run.
     pub run: Wanted,
-    /// Peak to peak of the exact angle, [rad].
+    /// Peak to peak of the exact angle, rad.
     pub range: f64,
-    /// Largest difference of the angle in the first 5 s, [rad].
+    /// Largest difference of the angle in the first 5 s, rad.
     pub first: f64,
-    /// Largest difference of the angle in the last 5 s, [rad].
+    /// Largest difference of the angle in the last 5 s, rad.
     pub last: f64,
-    /// Up to when the curves coincide, [s].
+    /// Up to when the curves coincide, s.
     pub coincides_until: f64,
-    /// How much later than in the exact solution the last full swing ends, [s].
+    /// How much later than in the exact solution the last full swing ends, s.
     pub lag: f64,
     /// Swings of the exact solution.
     pub swings: usize,
-    /// Of a swing of the exact solution, [s].
+    /// Of a swing of the exact solution, s.
     pub period: f64,
     /// Change of the amplitude from the start to the last 5 s, a share of it.
     pub amplitude_change: f64,
@@ -52,7 +52,7 @@ pub struct Measure {
     pub energy_error: f64,
     /// Largest part of ω across the axis of the exact swing, as a share of the largest ω; 0 in the plane.
     pub off_axis: f64,
-    /// Up to when that part is below [`COINCIDE`], [s].
+    /// Up to when that part is below [`COINCIDE`], s.
     pub on_axis_until: f64,
     /// Newton iterations per step.
     pub iterations: f64,
@@ -116,7 +116,7 @@ impl Measure {
         self.first / self.range
     }
 
-    /// When the plane of the swing is first off by [`COINCIDE`], [s]; `None` if it never is.
+    /// When the plane of the swing is first off by [`COINCIDE`], s; `None` if it never is.
     pub fn plane_lost(&self) -> Option<f64> {
         (self.off_axis > COINCIDE).then_some(self.on_axis_until)
     }
@@ -130,7 +130,7 @@ fn energy_error(made: &Recording, scene: Planar) -> Result<f64, RunError> {
     Ok(errors.fold(0.0, f64::max) / (start + scene.torque))
 }
 
-/// The amplitude of the swing through the state of a run at each of its times, [rad].
+/// The amplitude of the swing through the state of a run at each of its times, rad.
 pub fn amplitudes(run: &Wanted, made: &Recording) -> Result<Vec<f64>, RunError> {
     let scene = scene(run)?;
     let energies = made.values("energy")?;

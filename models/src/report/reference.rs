@@ -14,13 +14,13 @@ use crate::exact::PlanarState;
 /// A pendulum in the plane: J θ̈ = −m g l sin θ.
 #[derive(Clone, Copy)]
 pub struct Planar {
-    /// Moment of inertia about the pivot, [kg·m²].
+    /// Moment of inertia about the pivot, kg·m².
     pub inertia: f64,
-    /// m g l, [N·m].
+    /// m g l, N·m.
     pub torque: f64,
-    /// θ at the start, [rad].
+    /// θ at the start, rad.
     pub angle: f64,
-    /// ω at the start, [rad/s].
+    /// ω at the start, rad/s.
     pub velocity: f64,
 }
 

@@ -24,9 +24,9 @@ pub struct Wanted {
     pub model: &'static str,
     /// What advances the state.
     pub method: Method,
-    /// h, [s].
+    /// h, s.
     pub step: f64,
-    /// End, [s].
+    /// End, s.
     pub until: f64,
 }
 
@@ -43,7 +43,7 @@ pub enum Method {
 pub struct Recording {
     /// Names of the columns: states, observables, invariants.
     pub columns: Vec<String>,
-    /// [s]
+    /// s
     pub times: Vec<f64>,
     /// One per time.
     pub rows: Vec<Vec<f64>>,

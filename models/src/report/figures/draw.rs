@@ -13,7 +13,7 @@ use crate::report::page::Figure;
 use crate::report::runs::Recording;
 use crate::report::runs::RunError;
 
-/// Width of a plot, [px]: that of the page's column.
+/// Width of a plot, px: that of the page's column.
 const WIDTH: i32 = 800;
 
 /// Points that a curve may have: about two per pixel.

@@ -31,7 +31,7 @@ struct Plan {
     curves: Vec<Line>,
     /// Columns of the runs, a panel for each.
     quantities: &'static [&'static str],
-    /// From and to, [s].
+    /// From and to, s.
     window: (f64, f64),
     /// Why this step and this window, where the paper does not give them.
     choice: String,

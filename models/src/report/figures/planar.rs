@@ -7,7 +7,7 @@ use super::check::Check;
 use crate::report::runs::Method;
 use crate::report::runs::Wanted;
 
-/// The run of the paper, [s].
+/// The run of the paper, s.
 pub const UNTIL: f64 = 50.0;
 
 const ALL: (f64, f64) = (0.0, UNTIL);

@@ -7,7 +7,7 @@ use super::check::Check;
 use crate::report::runs::Method;
 use crate::report::runs::Wanted;
 
-/// The run of the paper, [s].
+/// The run of the paper, s.
 const UNTIL: f64 = 100.0;
 const LAST: (f64, f64) = (95.0, UNTIL);
 

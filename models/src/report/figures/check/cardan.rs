@@ -19,7 +19,7 @@ use crate::report::reference::reference;
 use crate::report::runs::RunError;
 use crate::values;
 
-/// Steps of the table, [s]: those of the paper and a larger one.
+/// Steps of the table, s: those of the paper and a larger one.
 const STEPS: [f64; 3] = [0.02, 0.01, 0.005];
 
 /// Which Cardan angles, from where.

@@ -16,7 +16,7 @@ use crate::report::reference::reference;
 use crate::report::runs::RunError;
 use crate::report::runs::Wanted;
 
-/// Steps of the table of Figure 5, [s]; all divide 50 s.
+/// Steps of the table of Figure 5, s; all divide 50 s.
 const SWEEP: [f64; 7] = [0.01, 0.02, 0.05, 0.08, 0.1, 0.125, 0.2];
 
 pub(super) fn measured(run: &Wanted) -> Result<Measure, RunError> {
@@ -102,7 +102,7 @@ fn sweep() -> Result<Table, RunError> {
     })
 }
 
-/// Largest distance between the angles of two runs in the first and in the last 5 s, [rad].
+/// Largest distance between the angles of two runs in the first and in the last 5 s, rad.
 pub(super) fn apart(one: &Wanted, other: &Wanted) -> Result<(f64, f64), RunError> {
     let (one, other) = (one.record()?, other.record()?);
     let (a, b) = (one.values("θ")?, other.values("θ")?);
