@@ -87,6 +87,17 @@ pub trait System<T: Scalar> {
         r: &mut Self::Unknowns,
         j: &mut Self::Jacobian,
     );
+    /// [`System::correction`] is there.
+    const HAS_CORRECTION: bool = false;
+    /// Newton's correction J(x)⁻¹ r(x) in closed form, the pivots chosen at build time, and how many times larger than
+    /// rounding its error may be for that: Σ |terms| / |Σ terms| over the pivots.
+    fn correction(
+        _scene: &Self::Scene,
+        _step: &Self::Step,
+        x: &Self::Unknowns,
+    ) -> (Self::Unknowns, T) {
+        (*x, T::constant(f64::INFINITY))
+    }
     /// The state after the step.
     fn next(scene: &Self::Scene, step: &Self::Step, x: &Self::Unknowns) -> StateArray<Self, T>;
     /// How many times larger than rounding the error of eliminated unknowns may be: Σ |terms| / |Σ terms| over

@@ -16,8 +16,6 @@ pub struct Report {
     pub iterations: usize,
     /// Why the last iterate was accepted.
     pub success: Success,
-    /// The last correction relative to the unknowns, largest over their blocks; 0 for explicit methods.
-    pub correction: f64,
 }
 
 /// What a run has cost so far, failed steps included.
@@ -37,6 +35,16 @@ pub struct Statistics {
     pub flows: u64,
     /// Steps for which the core failed or could not be trusted, so that all unknowns were iterated on.
     pub fallbacks: u64,
+}
+
+impl Statistics {
+    /// Takes in residual, Jacobian and solution of one Newton correction.
+    pub(crate) fn count_iteration(&mut self) {
+        self.iterations += 1;
+        self.residuals += 1;
+        self.jacobians += 1;
+        self.factorizations += 1;
+    }
 }
 
 /// Corrections that a [`History`] keeps.

@@ -57,7 +57,6 @@ impl<M: Flow<T>, T: Real> Method<T> for Explicit<M, T> {
         let report = Report {
             iterations: 0,
             success: Success::Converged,
-            correction: 0.0,
         };
         Ok((next, report))
     }

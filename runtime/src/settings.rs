@@ -68,3 +68,7 @@ pub(crate) const LEFTOVER: f64 = 1.0 / 1024.0;
 
 /// Steps after which convergence is measured again.
 pub(crate) const TRUSTED_STEPS: u32 = 31;
+
+/// Corrections before a quick solution is given up. Four take an ordinary guess to rounding; more would only put off
+/// the thorough solution of a step that needs it.
+pub(crate) const MOST_QUICK: usize = 4;

@@ -1,41 +1,46 @@
 //! Starting values of Newton's method, extrapolated from earlier steps.
 
 use crate::scalar::Real;
+use crate::scalar::Scalar;
 
 /// Highest order of extrapolation: the polynomial through the last ten solutions. At ordinary steps ten are enough in
 /// space that the start is within rounding of the solution after one correction; more magnify rounding without
 /// getting closer.
 const HIGHEST: usize = 10;
 
-/// The highest for one or two unknowns: six are enough in the plane, where a correction costs as much as four more.
-const HIGHEST_OF_FEW: usize = 6;
-
 /// An order that leaves enough for two corrections.
 const SHORT: usize = 2;
 
-/// How much worse than the order below an order may have been and still be used. Where a difference passes through
-/// zero the order below looks better than it is, by up to 1; rounding and rough motions grow by 2 per order.
-const SLACK: f64 = 1.5;
+/// Steps that orders are compared over: more than one, for a difference may just pass through zero.
+const COMPARED: usize = 4;
 
-/// How far solutions lay from their guesses, s = x − guess, and the backward differences of that:
-/// ∇⁰s = s, ∇ʲsₙ = ∇ʲ⁻¹sₙ − ∇ʲ⁻¹sₙ₋₁.
+/// Solutions kept, a power of two: more than the differences of the highest order in the compared steps are made of.
+const KEPT: usize = 16;
+
+/// How far solutions lay from their guesses, s = x − guess, in the last steps.
 ///
 /// The guess of a step is crude (no increment, the known state), but what it misses changes smoothly. The
-/// polynomial through the last p misses predicts Σ ∇ʲsₙ, j < p, and ∇ᵖsₙ₊₁ is what that misses: so the differences
-/// tell which order would have been best in the last steps, and that one is taken.
+/// polynomial of degree p − 1 through the last p misses predicts Σ (−1)ʲ⁺¹ (p over j) sₙ₊₁₋ⱼ, j = 1, …, p, and the
+/// backward difference ∇ᵖsₙ₊₁ is what that misses: so the differences tell which order would have been best in the last
+/// steps, and that one is taken until it is looked for again.
 #[derive(Clone, Copy)]
 pub(crate) struct Shifts<X> {
-    differences: [X; HIGHEST + 2],
-    /// Steps seen, at most one more than differences are taken from.
+    /// The last ones, at [`Shifts::last`] and, round the end, before it.
+    ring: [X; KEPT],
+    last: usize,
+    /// Steps seen, at most as many as are kept.
     seen: usize,
+    order: usize,
 }
 
 impl<X: Copy> Shifts<X> {
     /// Nothing seen; `zeros` only fills the memory.
     pub(crate) fn new(zeros: X) -> Self {
         Self {
-            differences: [zeros; HIGHEST + 2],
+            ring: [zeros; KEPT],
+            last: 0,
             seen: 0,
+            order: 0,
         }
     }
 
@@ -44,67 +49,158 @@ impl<X: Copy> Shifts<X> {
         self.seen == 0
     }
 
-    /// `guess` shifted by what the next solution is expected to lie from it, by extrapolation of a low order if it is to be
-    /// `short`.
+    /// Enough has been seen for any order.
+    pub(crate) fn are_many(&self) -> bool {
+        self.seen == KEPT
+    }
+
+    /// The miss of `j` steps ago, j ≥ 1.
     #[inline]
-    pub(crate) fn ahead<T: Real>(&self, guess: X, short: bool) -> X
+    fn ago(&self, j: usize) -> &X {
+        &self.ring[(self.last + KEPT + 1 - j) % KEPT]
+    }
+
+    /// `guess` shifted by what the next solution is expected to lie from it.
+    #[inline]
+    pub(crate) fn ahead<T: Scalar>(&self, guess: X) -> X
     where
         X: AsRef<[T]> + AsMut<[T]>,
     {
-        let mut x = guess;
-        let highest = if short { SHORT } else { highest(&x) };
-        for (i, x) in x.as_mut().iter_mut().enumerate() {
-            let difference = |order: usize| self.differences[order].as_ref()[i];
-            // What the prediction of this order missed in the last two steps, the larger.
-            let missed = |order: usize| {
-                let (last, before) = (difference(order), difference(order) - difference(order + 1));
-                if last.abs() > before.abs() {
-                    last.abs()
-                } else {
-                    before.abs()
-                }
-            };
-            let mut last = T::constant(f64::INFINITY);
-            for order in 1..=self.seen.min(highest) {
-                *x = *x + difference(order - 1);
-                if order + 2 <= self.seen {
-                    let next = missed(order);
-                    if next > T::constant(SLACK) * last {
-                        break;
-                    }
-                    last = next;
-                }
+        self.ahead_by(guess, self.order)
+    }
+
+    /// The same by a low order.
+    pub(crate) fn shortly_ahead<T: Scalar>(&self, guess: X) -> X
+    where
+        X: AsRef<[T]> + AsMut<[T]>,
+    {
+        self.ahead_by(guess, self.order.min(SHORT))
+    }
+
+    /// The last miss comes last into the sum, so that all others are summed while it is still being computed.
+    #[inline]
+    fn ahead_by<T: Scalar>(&self, mut guess: X, order: usize) -> X
+    where
+        X: AsRef<[T]> + AsMut<[T]>,
+    {
+        let weights = &WEIGHTS[order];
+        for j in (1..=order).rev() {
+            let weight = T::constant(weights[j - 1]);
+            for (x, shift) in guess.as_mut().iter_mut().zip(self.ago(j).as_ref()) {
+                *x = *x + weight * *shift;
             }
         }
-        x
+        guess
     }
 
     /// Takes in the solution of a step and the guess it began with.
     #[inline]
-    pub(crate) fn push<T: Real>(&mut self, solution: &X, guess: &X)
+    pub(crate) fn push<T: Scalar>(&mut self, solution: &X, guess: &X)
     where
         X: AsRef<[T]> + AsMut<[T]>,
     {
-        let used = highest(solution) + 2;
-        let pairs = solution.as_ref().iter().zip(guess.as_ref());
-        for (i, (&solution, &guess)) in pairs.enumerate() {
-            let mut difference = solution - guess;
-            for older in &mut self.differences[..used] {
-                let older = &mut older.as_mut()[i];
-                let next = difference - *older;
-                *older = difference;
-                difference = next;
+        self.last = (self.last + 1) % KEPT;
+        self.seen = (self.seen + 1).min(KEPT);
+        let shifts = self.ring[self.last].as_mut().iter_mut();
+        for ((shift, x), guess) in shifts.zip(solution.as_ref()).zip(guess.as_ref()) {
+            *shift = *x - *guess;
+        }
+    }
+
+    /// Looks for the order that would have been best in the last steps, unknowns being measured by `scales`.
+    pub(crate) fn choose_order<T: Real>(&mut self, scales: &X)
+    where
+        X: AsRef<[T]> + AsMut<[T]>,
+    {
+        self.order = self.seen.min(1);
+        let mut least = T::constant(f64::INFINITY);
+        for order in 1..=HIGHEST.min(self.seen.saturating_sub(COMPARED)) {
+            let missed = self.missed::<T>(order, scales);
+            if missed < least {
+                (self.order, least) = (order, missed);
             }
         }
-        self.seen = (self.seen + 1).min(HIGHEST + 2);
+    }
+
+    /// The most that the prediction of this order missed in the last steps, over all unknowns.
+    fn missed<T: Real>(&self, order: usize, scales: &X) -> T
+    where
+        X: AsRef<[T]> + AsMut<[T]>,
+    {
+        let zero = T::constant(0.0);
+        let larger = |a: T, b: T| if b.abs() > a { b.abs() } else { a };
+        let mut most = zero;
+        for (i, &scale) in scales.as_ref().iter().enumerate() {
+            let shift = |ago: usize| self.ago(ago).as_ref()[i];
+            let difference = |ago: usize| {
+                let weights = WEIGHTS[order].iter().take(order).enumerate();
+                weights.fold(shift(ago), |sum, (j, weight)| {
+                    sum - T::constant(*weight) * shift(ago + j + 1)
+                })
+            };
+            if scale > zero {
+                let missed = (1..=COMPARED).map(difference).fold(zero, larger);
+                most = larger(most, missed / scale);
+            }
+        }
+        most
     }
 }
 
-/// The highest order for so many unknowns.
-fn highest<T>(unknowns: &impl AsRef<[T]>) -> usize {
-    if unknowns.as_ref().len() <= 2 {
-        HIGHEST_OF_FEW
-    } else {
-        HIGHEST
+/// (−1)ʲ⁺¹ (p over j) in row p, column j − 1.
+const WEIGHTS: [[f64; HIGHEST]; HIGHEST + 1] = weights();
+
+const fn weights() -> [[f64; HIGHEST]; HIGHEST + 1] {
+    let mut rows = [[0.0; HIGHEST]; HIGHEST + 1];
+    let mut p = 1;
+    while p <= HIGHEST {
+        // (p over j) = (p − 1 over j) + (p − 1 over j − 1), and the signs alternate.
+        rows[p][0] = rows[p - 1][0] + 1.0;
+        let mut j = 1;
+        while j < p {
+            rows[p][j] = rows[p - 1][j] - rows[p - 1][j - 1];
+            j += 1;
+        }
+        p += 1;
+    }
+    rows
+}
+
+#[cfg(test)]
+mod tests {
+    use super::HIGHEST;
+    use super::KEPT;
+    use super::Shifts;
+
+    #[test]
+    fn a_polynomial_is_met_by_its_order() {
+        for degree in 0..HIGHEST {
+            let polynomial = |n: usize| (n as f64 / 8.0 - 0.7).powi(degree as i32);
+            let mut shifts = Shifts::new([0.0]);
+            for n in 0..KEPT + 3 {
+                shifts.push(&[polynomial(n) + 3.0], &[3.0]);
+            }
+            shifts.order = degree + 1;
+            let [ahead] = shifts.ahead([3.0]);
+            let exact = 3.0 + polynomial(KEPT + 3);
+            assert!((ahead - exact).abs() < 1e-11, "{degree}: {ahead} {exact}");
+        }
+    }
+
+    #[test]
+    fn the_order_fits_the_motion() {
+        let order = |motion: &dyn Fn(f64) -> f64| {
+            let mut shifts = Shifts::new([0.0]);
+            for n in 0..KEPT {
+                shifts.push(&[motion(n as f64)], &[0.0]);
+            }
+            shifts.choose_order(&[1.0]);
+            shifts.order
+        };
+        assert!(order(&|n| (0.05 * n).sin()) >= 8);
+        assert!(order(&|n| (0.5 * n).sin()) >= 8);
+        // From the next higher order the prediction gets worse.
+        assert!(order(&|n| (2.5 * n).sin()) <= 2);
+        assert!(order(&|n| (0.05 * n).sin() + 1e-9 * (n * n).sin()) <= 6);
     }
 }

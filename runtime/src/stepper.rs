@@ -88,20 +88,18 @@ impl<S: Solvable<T>, T: Real> Method<T> for Implicit<S, T> {
         state: &StateArray<S, T>,
         statistics: &mut Statistics,
     ) -> Result<(StateArray<S, T>, Report), Fault> {
-        self.fell_back = false;
         if self.core.newton.settings.strategy == Strategy::Full {
             return self.all_unknowns(t, state, statistics);
         }
-        match self.core.advance(t, state, statistics) {
-            // Not `growth > MOST_GROWTH`, which would trust NaN.
-            Ok((next, growth, report))
-                if !S::HAS_CORE
-                    || growth <= T::constant(MOST_GROWTH)
-                        && first_not_finite(next.as_ref()).is_none() =>
-            {
+        let core = self.core.advance(t, state, statistics);
+        if !S::HAS_CORE {
+            return core.map(|(next, _, report)| (next, report));
+        }
+        match core {
+            Ok((next, growth, report)) if can_be_trusted(growth, &next) => {
+                self.fell_back = false;
                 Ok((next, report))
             }
-            Err(fault) if !S::HAS_CORE => Err(fault),
             Ok(_) | Err(_) => self.fall_back(t, state, statistics),
         }
     }
@@ -127,6 +125,11 @@ impl<S: Solvable<T>, T: Real> Implicit<S, T> {
         statistics: &mut Statistics,
     ) -> Result<(StateArray<S, T>, Report), Fault> {
         statistics.fallbacks += 1;
+        // What one of them knows of earlier steps ends where the other takes over.
+        self.core.newton.forget();
+        if !self.fell_back {
+            self.full.newton.forget();
+        }
         self.all_unknowns(t, state, statistics)
     }
 
@@ -140,6 +143,12 @@ impl<S: Solvable<T>, T: Real> Implicit<S, T> {
         let (next, _, report) = self.full.advance(t, state, statistics)?;
         Ok((next, report))
     }
+}
+
+/// False for NaN.
+#[inline]
+fn can_be_trusted<T: Real>(growth: T, next: &impl AsRef<[T]>) -> bool {
+    growth <= T::constant(MOST_GROWTH) && first_not_finite(next.as_ref()).is_none()
 }
 
 #[cfg(test)]

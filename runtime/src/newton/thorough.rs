@@ -1,0 +1,296 @@
+//! A step solved by corrections that are each judged by those before.
+
+use core::ops::Range;
+
+use super::Newton;
+use super::subtract;
+use crate::description::Unknown;
+use crate::error::Failure;
+use crate::error::Fault;
+use crate::error::Place;
+use crate::linear::Correctable;
+use crate::linear::SquareMatrix;
+use crate::report::History;
+use crate::report::Report;
+use crate::report::Statistics;
+use crate::report::Success;
+use crate::scalar::Real;
+use crate::scalar::first_not_finite;
+use crate::settings::AT_ROUNDING;
+use crate::settings::LEFTOVER;
+use crate::settings::RATE_MARGIN;
+use crate::settings::ROUNDING;
+use crate::settings::TRUSTED_STEPS;
+
+impl<S: Correctable<T>, T: Real> Newton<S, T> {
+    /// The solution from the extrapolated start, and if that fails from the plain guess.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn solve_thoroughly(
+        &mut self,
+        scene: &S::Scene,
+        step: &S::Step,
+        known: &[T],
+        guess: S::Unknowns,
+        statistics: &mut Statistics,
+    ) -> Result<(S::Unknowns, Report), Fault> {
+        let mut scales = guess;
+        for (unknowns, scale) in self.blocks(known) {
+            scales.as_mut()[unknowns].fill(scale);
+        }
+        self.shifts.choose_order(&scales);
+        let ahead = if self.trust == 0 {
+            // From further away, so that convergence shows above rounding.
+            self.shifts.shortly_ahead(guess)
+        } else {
+            self.shifts.ahead(guess)
+        };
+        let starts = [ahead, guess];
+        let attempts = if self.shifts.are_zero() { 1 } else { 2 };
+        let mut outcome = Err(Failure::Stalled);
+        for x in starts.into_iter().take(attempts) {
+            self.start(x);
+            outcome = self.iterate(scene, step, known, statistics);
+            if outcome.is_ok() {
+                break;
+            }
+        }
+        match outcome {
+            Ok(report) => Ok((self.x, report)),
+            Err(failure) => {
+                self.trust = 0;
+                Err(self.fault(failure))
+            }
+        }
+    }
+
+    fn start(&mut self, x: S::Unknowns) {
+        self.x = x;
+        self.previous.as_mut().fill(T::constant(f64::INFINITY));
+        self.history = History::default();
+    }
+
+    fn iterate(
+        &mut self,
+        scene: &S::Scene,
+        step: &S::Step,
+        known: &[T],
+        statistics: &mut Statistics,
+    ) -> Result<Report, Failure> {
+        let mut growths = 0;
+        let mut before = T::constant(0.0);
+        while self.history.iterations() < self.settings.max_iterations {
+            S::residual_and_jacobian(scene, step, &self.x, &mut self.r, &mut self.j);
+            statistics.count_iteration();
+            require_finite(&self.r)?;
+
+            let correction = self.j.solve(&self.r).ok_or(Failure::Singular)?;
+            subtract(&mut self.x, &correction);
+            require_finite(&self.x)?;
+
+            let progress = self.progress(&correction, known);
+            self.history.push(progress.size.to_f64());
+            if self.history.iterations() == 2 {
+                self.learn(&correction, known);
+            }
+            if self.history.iterations() >= 2 && self.is_last(progress.size, before) {
+                return Ok(self.report(Success::Converged));
+            }
+            if progress.converged {
+                let is_shrinking = progress.size <= before;
+                if is_shrinking || self.residual_has_fallen(scene, step, known, statistics) {
+                    return Ok(self.report(Success::Converged));
+                }
+            }
+            if progress.shrinking {
+                growths = 0;
+            } else if self.residual_is_rounding(known) {
+                return Ok(self.report(Success::AtFloor));
+            } else {
+                growths += 1;
+                if growths >= self.settings.max_growths {
+                    return Err(Failure::Diverged);
+                }
+            }
+            self.previous = correction;
+            before = progress.size;
+        }
+        Err(Failure::Stalled)
+    }
+
+    /// Whether the residual after the correction is less than a tenth of that before, or rounding. Where there is
+    /// no larger correction before one within the tolerance, nothing else tells convergence from an equation so
+    /// steep that no correction is large.
+    #[cold]
+    fn residual_has_fallen(
+        &mut self,
+        scene: &S::Scene,
+        step: &S::Step,
+        known: &[T],
+        statistics: &mut Statistics,
+    ) -> bool {
+        let before = self.r;
+        S::residual(scene, step, &self.x, &mut self.r);
+        statistics.residuals += 1;
+        let tenth = T::constant(0.1);
+        let pairs = self.r.as_ref().iter().zip(before.as_ref());
+        let mut fell = pairs.map(|(r, before)| r.abs() <= tenth * before.abs());
+        fell.all(|fell| fell) || self.residual_is_rounding(known)
+    }
+
+    /// Takes in how the first correction was followed by this second one. Newton's method converges quadratically:
+    /// had all of the first been smaller by a factor, the second would have been by its square.
+    fn learn(&mut self, second: &S::Unknowns, known: &[T]) {
+        let largest = T::constant(LEFTOVER) * T::EPSILON;
+        let mut square = T::constant(LEFTOVER);
+        for (unknowns, scale) in self.blocks(known) {
+            let size = self::largest(&second.as_ref()[unknowns]);
+            let is_seen = size > T::constant(AT_ROUNDING) * T::EPSILON * scale;
+            if is_seen && largest * scale < square * size {
+                square = largest * scale / size;
+            }
+        }
+        let is_due = self.trust == 0;
+        let mut enough = self.enough;
+        for (unknowns, _) in self.blocks(known) {
+            let limit = square.sqrt() * self::largest(&self.previous.as_ref()[unknowns.clone()]);
+            for enough in &mut enough.as_mut()[unknowns] {
+                if is_due || limit > *enough {
+                    *enough = limit;
+                }
+            }
+        }
+        self.enough = enough;
+        // A tolerance below rounding asks for the thorough way, and NaN is below nothing.
+        if is_due && self.shifts.are_many() && self.settings.tolerance >= T::EPSILON {
+            self.trust = TRUSTED_STEPS;
+        }
+    }
+
+    /// Whether the error left after a correction of size `e` is within the tolerance even if convergence were
+    /// only linear, at the rate of the last two corrections (Hairer and Wanner, *Solving ODEs II*, IV.8).
+    fn is_last(&self, e: T, before: T) -> bool {
+        e * e <= T::constant(RATE_MARGIN) * self.settings.tolerance * before
+    }
+
+    fn report(&self, success: Success) -> Report {
+        Report {
+            iterations: self.history.iterations(),
+            success,
+        }
+    }
+
+    /// Blames the first component that is not finite, or else the largest residual.
+    fn fault(&self, failure: Failure) -> Fault {
+        let (r, x) = (self.r.as_ref(), self.x.as_ref());
+        let (place, value) = if let Some((row, value)) = first_not_finite(r) {
+            (Place::Equation(row), value)
+        } else if let Some((i, value)) = first_not_finite(x) {
+            (Place::Unknown(i), value)
+        } else {
+            let row = largest_row(r);
+            let value = r.get(row).map_or(0.0, |value| value.to_f64());
+            (Place::Equation(row), value)
+        };
+        Fault {
+            failure,
+            place,
+            value,
+        }
+    }
+
+    /// Judges `correction` block by block. A block is measured by itself and by the state it advances, never
+    /// by another block, so the verdict does not depend on the units of the states.
+    fn progress(&self, correction: &S::Unknowns, known: &[T]) -> Progress<T> {
+        let zero = T::constant(0.0);
+        let mut progress = Progress {
+            size: zero,
+            converged: true,
+            shrinking: true,
+        };
+        for (unknowns, scale) in self.blocks(known) {
+            let length = largest(&correction.as_ref()[unknowns.clone()]);
+            let before = largest(&self.previous.as_ref()[unknowns]);
+            let within = length <= self.settings.tolerance * scale;
+            if !within {
+                progress.converged = false;
+                progress.shrinking &= length < before;
+            }
+            if length > progress.size * scale {
+                progress.size = length / scale;
+            }
+        }
+        progress
+    }
+
+    /// Whether every |rᵢ| is within rounding of Σ |Jᵢⱼ| |xⱼ|, the size of its terms (the componentwise
+    /// backward error of Oettli and Prager, 1964). It tells noise from corrections that do not shrink because
+    /// Newton's method fails.
+    fn residual_is_rounding(&self, known: &[T]) -> bool {
+        let (r, j) = (self.r.as_ref(), self.j.entries());
+        let rounding = T::constant(ROUNDING) * T::EPSILON;
+        r.iter().zip(j.chunks_exact(r.len().max(1))).all(|(r, row)| {
+            let mut terms = T::constant(0.0);
+            for (unknowns, scale) in self.blocks(known) {
+                for entry in &row[unknowns] {
+                    terms = terms + entry.abs() * scale;
+                }
+            }
+            r.abs() <= rounding * terms
+        })
+    }
+
+    /// The blocks of unknowns, each with its scale: the largest |x| in the block and in the state it advances.
+    fn blocks<'a>(&'a self, known: &'a [T]) -> impl Iterator<Item = (Range<usize>, T)> + 'a {
+        let blocks: &[Unknown] = S::UNKNOWNS;
+        let mut offset = 0;
+        blocks.iter().map(move |block| {
+            let unknowns = offset..offset + block.len;
+            offset = unknowns.end;
+            let now = match &block.measure {
+                Some(states) => largest(&known[states.clone()]),
+                None => T::constant(0.0),
+            };
+            let next = largest(&self.x.as_ref()[unknowns.clone()]);
+            (unknowns, if next > now { next } else { now })
+        })
+    }
+}
+
+/// What one correction says about the iteration.
+struct Progress<T> {
+    /// The largest correction relative to the scale of its block.
+    size: T,
+    /// Every block is within the tolerance.
+    converged: bool,
+    /// Every block that is not within the tolerance was corrected less than the time before.
+    shrinking: bool,
+}
+
+/// The largest magnitude among finite numbers.
+fn largest<T: Real>(values: &[T]) -> T {
+    values.iter().fold(T::constant(0.0), |largest, value| {
+        let size = value.abs();
+        if size > largest { size } else { largest }
+    })
+}
+
+/// The position of the largest magnitude among finite numbers.
+fn largest_row<T: Real>(r: &[T]) -> usize {
+    let mut largest = 0;
+    for (row, value) in r.iter().enumerate() {
+        if value.abs() > r[largest].abs() {
+            largest = row;
+        }
+    }
+    largest
+}
+
+/// Keeps NaN and infinity out of every comparison that follows.
+fn require_finite<T: Real>(values: &impl AsRef<[T]>) -> Result<(), Failure> {
+    match first_not_finite(values.as_ref()) {
+        None => Ok(()),
+        Some(_) => Err(Failure::NotFinite),
+    }
+}
+
