@@ -9,6 +9,8 @@ use crate::check::check_value;
 use crate::check::stand_in;
 use crate::claims::continuous_claims;
 use crate::claims::discrete_claims;
+use crate::clear::clear;
+use crate::correct::correct;
 use crate::dag::Leaf;
 use crate::diagnostic::Diagnostic;
 use crate::diagnostic::Errors;
@@ -243,15 +245,23 @@ fn discrete(model: &Model, form: Form) -> Result<(System, Vec<Option<Finding>>),
         next: &next,
         blocks: &blocks,
     };
-    let core = eliminate(&mut dag, &full).map(|core| {
+    let core = eliminate(&mut dag, &full).map(|mut core| {
+        // The product is less linear than the quotient: only of one equation is a division much of the work.
+        if core.residual.len() == 1 {
+            core.residual = clear(&mut dag, &core.residual);
+        }
         let entries = differentiate(&mut dag, &core.residual, model.n_unknowns()).into_iter();
         let own = entries.filter_map(|entry| {
             let col = core.unknowns.iter().position(|&col| col == entry.col)?;
             Some(Entry { col, ..entry })
         });
-        let own = own.collect();
+        let own: Vec<Entry> = own.collect();
         (core, own)
     });
+    let correction = match &core {
+        Some((core, jacobian)) => correct(&mut dag, &core.residual, jacobian),
+        None => correct(&mut dag, &residual, &jacobian),
+    };
     debug_assert_eq!(dag.verify(), Ok(()));
     Ok((
         System {
@@ -263,6 +273,7 @@ fn discrete(model: &Model, form: Form) -> Result<(System, Vec<Option<Finding>>),
             next,
             blocks,
             core,
+            correction,
             printed: judged.printed,
         },
         judged.findings,

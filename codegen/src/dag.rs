@@ -19,6 +19,7 @@ use std::collections::HashMap;
 use std::fmt;
 
 mod evaluate;
+mod sign;
 mod tape;
 mod text;
 

@@ -13,17 +13,17 @@
 //! Being part of the graph, the solution is staged like everything else: what is constant in it is computed once.
 
 use crate::dag::Dag;
-use crate::dag::Elementary;
 use crate::dag::Leaf;
 use crate::dag::Node;
 use crate::dag::NodeId;
+use crate::linear::Divisor;
+use crate::linear::growth;
 use crate::linear::solve;
 use crate::rank::smallest_pivot;
 use crate::sample::Sample;
 use crate::system::Block;
 use crate::system::Core;
 use crate::system::Entry;
-use num_traits::Signed;
 
 /// Most choices of unknowns to keep that are tried per block.
 const MOST_CHOICES: usize = 20_000;
@@ -198,7 +198,7 @@ fn closed_form(
     full: &Full,
     choice: &Choice,
     values: &[Option<NodeId>],
-) -> Option<(Vec<NodeId>, Vec<NodeId>)> {
+) -> Option<(Vec<NodeId>, Vec<Divisor>)> {
     let zero = dag.integer(0);
     let mut a = vec![vec![zero; choice.cols.len()]; choice.rows.len()];
     for entry in full.jacobian {
@@ -225,49 +225,6 @@ fn put_in(dag: &mut Dag, roots: &[NodeId], values: &[Option<NodeId>]) -> Vec<Nod
         Leaf::Unknown(col) => values[col],
         _ => None,
     })
-}
-
-/// Σ (Σ|terms of d| / |d|) over the divisors d that can cancel: how many times larger than its own rounding an error
-/// may get by the divisions. The number 0 if none can.
-fn growth(dag: &mut Dag, divisors: &[NodeId]) -> NodeId {
-    let mut total = dag.integer(0);
-    let mut seen = Vec::new();
-    for &divisor in divisors {
-        let (_, divisor) = dag.split_coefficient(divisor);
-        if seen.contains(&divisor) {
-            continue;
-        }
-        seen.push(divisor);
-        let Node::Sum(terms) = dag.node(divisor).clone() else {
-            continue;
-        };
-        let is_positive = |dag: &Dag, (c, node): &(num_rational::BigRational, NodeId)| {
-            c.is_positive() && is_never_negative(dag, *node)
-        };
-        if terms.iter().all(|term| is_positive(dag, term)) {
-            continue;
-        }
-        let sizes: Vec<_> = terms
-            .into_iter()
-            .map(|(c, node)| (c.abs(), dag.call(Elementary::Abs, vec![node])))
-            .collect();
-        let size = dag.sum(sizes);
-        let value = dag.call(Elementary::Abs, vec![divisor]);
-        let share = dag.div(size, value);
-        total = dag.add(total, share);
-    }
-    total
-}
-
-/// True for numbers above 0 and for products of even powers; parameters are not known.
-fn is_never_negative(dag: &Dag, node: NodeId) -> bool {
-    match dag.node(node) {
-        Node::Constant(value) => !value.is_negative(),
-        Node::Pi => true,
-        Node::Product(factors) => factors.iter().all(|(_, exponent)| exponent % 2 == 0),
-        Node::Call(Elementary::Exp | Elementary::Cosh | Elementary::Abs, _) => true,
-        Node::Leaf(_) | Node::Sum(_) | Node::Call(..) => false,
-    }
 }
 
 /// All choices of `k` of 0, …, n − 1 in lexicographic order.

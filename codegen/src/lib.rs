@@ -19,7 +19,9 @@
 pub mod ast;
 pub mod check;
 pub mod claims;
+pub mod clear;
 pub mod compile;
+pub mod correct;
 pub mod dag;
 pub mod diagnostic;
 pub mod differentiate;

@@ -5,12 +5,16 @@
 //! the scene rate), larger ones are eliminated with pivots that are largest at a generic point.
 
 use crate::dag::Dag;
+use crate::dag::Elementary;
+use crate::dag::Node;
 use crate::dag::NodeId;
 use crate::matrix::Matrix;
+use crate::matrix::add_all;
 use crate::model::Shape;
 use crate::normal::rational;
 use crate::pattern::Pattern;
 use crate::sample::Sample;
+use num_traits::Signed;
 
 /// The solution of A x = b.
 #[derive(Clone, Debug)]
@@ -18,7 +22,38 @@ pub struct Solution {
     /// x
     pub x: Vec<NodeId>,
     /// What was divided by: the solution is good where none of them vanishes.
-    pub divisors: Vec<NodeId>,
+    pub divisors: Vec<Divisor>,
+}
+
+/// A determinant or pivot.
+#[derive(Clone, Copy, Debug)]
+pub struct Divisor {
+    value: NodeId,
+    /// The same sum of products with every entry replaced by its magnitude: its error is up to so many rounding errors.
+    size: NodeId,
+}
+
+/// Σ size / |value| over the divisors that can cancel: how many times larger than rounding an error may get by the
+/// divisions. The number 0 if none can.
+pub fn growth(dag: &mut Dag, divisors: &[Divisor]) -> NodeId {
+    let mut shares = Vec::new();
+    let mut seen = Vec::new();
+    for divisor in divisors {
+        let (_, sum) = dag.split_coefficient(divisor.value);
+        let can_cancel = matches!(dag.node(sum), Node::Sum(_)) && !dag.is_positive(sum);
+        if can_cancel && !seen.contains(&sum) {
+            let one = dag.integer(1);
+            let reciprocal = dag.div(one, divisor.value);
+            let reciprocal = magnitude(dag, reciprocal);
+            shares.push(dag.mul(divisor.size, reciprocal));
+        }
+        seen.push(sum);
+    }
+    add_all(dag, &shares)
+}
+
+fn magnitude(dag: &mut Dag, node: NodeId) -> NodeId {
+    dag.call(Elementary::Abs, vec![node])
 }
 
 /// The pattern of the entries of a square matrix that are not the number 0.
@@ -62,10 +97,12 @@ pub fn solve(dag: &mut Dag, a: &[Vec<NodeId>], b: &[NodeId]) -> Option<Solution>
     Some(Solution { x, divisors })
 }
 
-fn solve_block(dag: &mut Dag, a: &Matrix, b: &Matrix, divisors: &mut Vec<NodeId>) -> Vec<NodeId> {
+fn solve_block(dag: &mut Dag, a: &Matrix, b: &Matrix, divisors: &mut Vec<Divisor>) -> Vec<NodeId> {
     match a.shape.rows {
         1 => {
-            divisors.push(a.entries[0]);
+            let value = a.entries[0];
+            let size = sum_of_magnitudes(dag, value);
+            divisors.push(Divisor { value, size });
             vec![dag.div(b.entries[0], a.entries[0])]
         }
         2 | 3 => cramer(dag, a, b, divisors),
@@ -78,10 +115,26 @@ fn solve_block(dag: &mut Dag, a: &Matrix, b: &Matrix, divisors: &mut Vec<NodeId>
     }
 }
 
+/// Σ |terms| of a sum.
+fn sum_of_magnitudes(dag: &mut Dag, node: NodeId) -> NodeId {
+    let Node::Sum(terms) = dag.node(node).clone() else {
+        return magnitude(dag, node);
+    };
+    let terms = terms
+        .into_iter()
+        .map(|(c, node)| (c.abs(), magnitude(dag, node)));
+    let terms: Vec<_> = terms.collect();
+    dag.sum(terms)
+}
+
 /// Cramer's rule in the form x = adj(A) b / det A.
-fn cramer(dag: &mut Dag, a: &Matrix, b: &Matrix, divisors: &mut Vec<NodeId>) -> Vec<NodeId> {
+fn cramer(dag: &mut Dag, a: &Matrix, b: &Matrix, divisors: &mut Vec<Divisor>) -> Vec<NodeId> {
     let determinant = a.determinant(dag);
-    divisors.push(determinant);
+    let size = a.map(|entry| magnitude(dag, entry)).permanent(dag);
+    divisors.push(Divisor {
+        value: determinant,
+        size,
+    });
     let above = a.adjugate(dag).product(dag, b);
     above.map(|e| dag.div(e, determinant)).entries
 }
@@ -91,7 +144,7 @@ fn eliminate(
     dag: &mut Dag,
     mut a: Vec<Vec<NodeId>>,
     mut b: Vec<NodeId>,
-    divisors: &mut Vec<NodeId>,
+    divisors: &mut Vec<Divisor>,
 ) -> Vec<NodeId> {
     let n = a.len();
     for k in 0..n {
@@ -102,7 +155,9 @@ fn eliminate(
             .unwrap_or(k);
         a.swap(k, pivot);
         b.swap(k, pivot);
-        divisors.push(a[k][k]);
+        let value = a[k][k];
+        let size = sum_of_magnitudes(dag, value);
+        divisors.push(Divisor { value, size });
         for i in k + 1..n {
             let factor = dag.div(a[i][k], a[k][k]);
             let pivot_row = a[k].clone();

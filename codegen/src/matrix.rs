@@ -1,8 +1,10 @@
 //! Matrices of nodes, for the stages that work between vectors and scalars.
 
 use crate::dag::Dag;
+use crate::dag::Node;
 use crate::dag::NodeId;
 use crate::model::Shape;
+use crate::normal::rational;
 
 /// A matrix of nodes, row by row. Scalars are 1×1, vectors n×1.
 #[derive(Clone, Debug)]
@@ -139,8 +141,21 @@ impl Matrix {
         }
     }
 
-    /// det A of a square matrix up to 3×3, along its first row.
+    /// det A of a square matrix up to 3×3: as one sum where its products merge or cancel, else along its first row.
     pub fn determinant(&self, dag: &mut Dag) -> NodeId {
+        let products = self.products(dag);
+        let signed = products.iter().enumerate().map(|(i, &product)| {
+            let is_even = i < products.len().div_ceil(2);
+            (rational(if is_even { 1 } else { -1 }), product)
+        });
+        let whole = dag.sum(signed);
+        let terms = match dag.node(whole) {
+            Node::Sum(terms) => terms.len(),
+            _ => 1,
+        };
+        if terms < products.len() {
+            return whole;
+        }
         let terms: Vec<_> = (0..self.shape.rows)
             .map(|j| {
                 let cofactor = self.cofactor(dag, 0, j);
@@ -148,6 +163,34 @@ impl Matrix {
             })
             .collect();
         add_all(dag, &terms)
+    }
+
+    /// The determinant of a square matrix up to 3×3 with no sign ever changed.
+    pub fn permanent(&self, dag: &mut Dag) -> NodeId {
+        let products = self.products(dag);
+        add_all(dag, &products)
+    }
+
+    /// The products of one entry from each row and column of a square matrix up to 3×3, even permutations first.
+    fn products(&self, dag: &mut Dag) -> Vec<NodeId> {
+        let orders: &[&[usize]] = match self.shape.rows {
+            1 => &[&[0]],
+            2 => &[&[0, 1], &[1, 0]],
+            _ => &[
+                &[0, 1, 2],
+                &[1, 2, 0],
+                &[2, 0, 1],
+                &[0, 2, 1],
+                &[1, 0, 2],
+                &[2, 1, 0],
+            ],
+        };
+        let product = |order: &&[usize]| {
+            let entries = order.iter().enumerate().map(|(i, &j)| self.at(i, j));
+            let one = dag.integer(1);
+            entries.fold(one, |product, entry| dag.mul(product, entry))
+        };
+        orders.iter().map(product).collect()
     }
 
     /// Σ aᵢ bᵢ over all entries.
@@ -159,6 +202,6 @@ impl Matrix {
 
 /// The sum of `terms`.
 pub fn add_all(dag: &mut Dag, terms: &[NodeId]) -> NodeId {
-    let one = crate::normal::rational(1);
+    let one = rational(1);
     dag.sum(terms.iter().map(|&t| (one.clone(), t)))
 }

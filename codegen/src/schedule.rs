@@ -102,7 +102,8 @@ pub struct Solver {
     /// Structural non-zeros of the Jacobian as (row, column), row by row.
     pub pattern: Vec<(usize, usize)>,
     /// Kernels `guess`, `residual`, `residual_and_jacobian` and `next`. The roots of
-    /// `residual_and_jacobian` are row by row rᵢ and the entries of its row in the pattern.
+    /// `residual_and_jacobian` are row by row rᵢ and the entries of its row in the pattern. What is iterated on may have a
+    /// kernel `correction`, with the growth of rounding as its last root.
     pub schedule: Schedule,
     /// The unknowns, by their positions in the unknown vector of the form: all, or those of a core.
     pub unknowns: Vec<usize>,

@@ -62,10 +62,15 @@ pub fn program(equations: &Equations, systems: &[System]) -> Program {
 }
 
 fn solver(system: &System) -> Solver {
+    let correction = system.correction.as_ref().map(|correction| {
+        let roots = correction.x.iter().chain([&correction.growth]);
+        ("correction", Rate::Iteration, roots.copied().collect())
+    });
     let core = system.core.as_ref().map(|(core, jacobian)| {
         let kernels = kernels(&core.residual, jacobian, &core.guess, &core.next);
         let growth = ("growth", Rate::Iteration, vec![core.growth]);
-        let kernels: Vec<Wanted> = kernels.into_iter().chain([growth]).collect();
+        let kernels = kernels.into_iter().chain([growth]);
+        let kernels: Vec<Wanted> = kernels.chain(correction.clone()).collect();
         Box::new(Solver {
             form: system.form,
             pattern: jacobian.iter().map(|e| (e.row, e.col)).collect(),
@@ -80,6 +85,8 @@ fn solver(system: &System) -> Solver {
         &system.guess,
         &system.next,
     );
+    let correction = correction.filter(|_| core.is_none());
+    let kernels: Vec<Wanted> = kernels.into_iter().chain(correction).collect();
     Solver {
         form: system.form,
         pattern: system.jacobian.iter().map(|e| (e.row, e.col)).collect(),

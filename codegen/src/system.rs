@@ -102,6 +102,8 @@ pub struct System {
     /// What is left to iterate on, if that is less, and the structural non-zeros of its Jacobian, row by row;
     /// columns are positions in [`Core::unknowns`].
     pub core: Option<(Core, Vec<Entry>)>,
+    /// Newton's correction of what is iterated on, the core or else all, where it is short.
+    pub correction: Option<Correction>,
     /// What Newton's method would be given by each claim of the model, if it gives anything that fits.
     pub printed: Vec<Option<Printed>>,
 }
@@ -119,6 +121,15 @@ pub struct Core {
     pub next: Vec<NodeId>,
     /// How many times larger than rounding the error of the eliminated unknowns may be; the number 0 if no
     /// divisor can cancel.
+    pub growth: NodeId,
+}
+
+/// J⁻¹ r in closed form.
+#[derive(Clone, Debug)]
+pub struct Correction {
+    /// One per unknown.
+    pub x: Vec<NodeId>,
+    /// How many times larger than rounding its error may be; the number 0 if no divisor can cancel.
     pub growth: NodeId,
 }
 

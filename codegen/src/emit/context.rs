@@ -83,6 +83,11 @@ impl<'a> Context<'a> {
         }
     }
 
+    /// There is such a kernel.
+    pub(super) fn has(&self, name: &str) -> bool {
+        self.schedule.kernel(name).is_some()
+    }
+
     /// The body of a kernel that finds slower values in the caches.
     pub(super) fn body(&mut self, name: &str) -> Body {
         let mut roots = Vec::new();

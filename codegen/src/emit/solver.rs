@@ -104,6 +104,7 @@ fn system(
         guess_function(&mut context, n),
         residual_function(&mut context, role, n),
         jacobian_function(&mut context, solver, role, n),
+        correction_function(&mut context, n),
         next_function(&mut context, n),
         more,
     ];
@@ -300,6 +301,37 @@ fn jacobian_function(
             jacobian: &mut [[T; #n]; #n],
         ) {
             #tokens
+        }
+    }
+}
+
+fn correction_function(context: &mut Context, n: &Literal) -> TokenStream {
+    if !context.has("correction") {
+        return TokenStream::new();
+    }
+    let body = context.body("correction");
+    let (scene_type, step_type) = (context.scene.ty(), context.step.ty());
+    let doc = format!(
+        " J(x)⁻¹ r(x) in closed form, and the growth of rounding in it: {}.",
+        body.cost
+    );
+    let [scene, step, unknowns] = ["scene", "step", "unknowns"].map(|name| body.argument(name));
+    let tokens = &body.tokens;
+    let Some((growth, x)) = body.roots.split_last() else {
+        return TokenStream::new();
+    };
+    quote! {
+        const HAS_CORRECTION: bool = true;
+
+        #[doc = #doc]
+        #[inline]
+        fn correction(
+            #scene: &#scene_type,
+            #step: &#step_type,
+            #unknowns: &[T; #n],
+        ) -> ([T; #n], T) {
+            #tokens
+            ([#(#x),*], #growth)
         }
     }
 }
