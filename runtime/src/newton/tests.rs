@@ -19,6 +19,7 @@ const DEFAULT: Settings = Settings {
     max_iterations: 50,
     max_growths: 4,
     strategy: crate::Strategy::Core,
+    compensated: true,
 };
 
 /// Runs one "step" from `start` to the root.

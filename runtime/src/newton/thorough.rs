@@ -181,7 +181,8 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
     }
 
     /// Blames the first component that is not finite, or else the largest residual.
-    fn fault(&self, failure: Failure) -> Fault {
+    #[cold]
+    pub(crate) fn fault(&self, failure: Failure) -> Fault {
         let (r, x) = (self.r.as_ref(), self.x.as_ref());
         let (place, value) = if let Some((row, value)) = first_not_finite(r) {
             (Place::Equation(row), value)
