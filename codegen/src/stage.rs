@@ -69,7 +69,10 @@ fn solver(system: &System) -> Solver {
     let core = system.core.as_ref().map(|(core, jacobian)| {
         let kernels = kernels(&core.residual, jacobian, &core.guess, &core.next);
         let growth = ("growth", Rate::Iteration, vec![core.growth]);
-        let kernels = kernels.into_iter().chain([growth]).chain(adding(&core.change));
+        let kernels = kernels
+            .into_iter()
+            .chain([growth])
+            .chain(adding(&core.change));
         let kernels: Vec<Wanted> = kernels.chain(correction.clone()).collect();
         Box::new(Solver {
             form: system.form,
