@@ -35,12 +35,12 @@ impl Sample {
         }
     }
 
-    /// The value of every node at this point, but with the step `h`.
-    pub fn evaluate_with_step(self, dag: &Dag, h: f64) -> Vec<f64> {
-        dag.evaluate(|leaf| match leaf {
+    /// The same, but with the step `h`.
+    pub fn value_with_step(self, leaf: Leaf, h: f64) -> f64 {
+        match leaf {
             Leaf::StepSize => h,
             _ => self.value(leaf),
-        })
+        }
     }
 
     /// The value of every node at this point.

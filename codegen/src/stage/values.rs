@@ -1,6 +1,7 @@
 //! The value list under construction: equal operations share a value.
 
 use crate::dag::Rate;
+use crate::normal::times;
 use crate::schedule::Op;
 use crate::schedule::Value;
 use crate::schedule::ValueId;
@@ -51,7 +52,7 @@ impl Values {
     pub(super) fn scaled(&mut self, coefficient: BigRational, value: ValueId) -> ValueId {
         match &self.list[value.index()].op {
             Op::Constant(number) => {
-                let number = number * coefficient;
+                let number = times(number, coefficient);
                 self.intern(Op::Constant(number))
             }
             _ if coefficient.is_negative() => {
@@ -64,7 +65,7 @@ impl Values {
                 denominator,
             } => {
                 let (numerator, denominator) = (numerator.clone(), denominator.clone());
-                self.quotient(coefficient * inner, numerator, denominator)
+                self.quotient(times(inner, coefficient), numerator, denominator)
             }
             Op::Pi | Op::Leaf(_) | Op::Sum(_) | Op::Call(..) => {
                 self.quotient(coefficient, vec![value], Vec::new())
@@ -166,16 +167,16 @@ impl Values {
     /// Σ cᵢ vᵢ as a coefficient and a value. Terms of equal weight are added up first, so that
     /// c·a − c·b costs one multiplication and a small difference keeps its digits: c·(a − b).
     pub(super) fn sum(&mut self, terms: &[(BigRational, ValueId)]) -> (BigRational, ValueId) {
-        let mut weights: Vec<BigRational> = Vec::new();
-        for weight in terms.iter().map(|t| t.0.abs()) {
-            if !weights.contains(&weight) {
-                weights.push(weight);
+        let mut groups: Vec<Vec<(BigRational, ValueId)>> = Vec::new();
+        for term in terms {
+            match groups.iter_mut().find(|g| has_magnitude(&g[0].0, &term.0)) {
+                Some(group) => group.push(term.clone()),
+                None => groups.push(vec![term.clone()]),
             }
         }
         let mut grouped = Vec::new();
-        for weight in weights {
-            let group = terms.iter().filter(|t| t.0.abs() == weight);
-            let group: Vec<_> = group.cloned().collect();
+        for group in groups {
+            let weight = group[0].0.abs();
             if weight.is_one() || group.len() == 1 {
                 grouped.extend(group);
             } else {
@@ -231,6 +232,11 @@ impl Values {
         let one = BigRational::one();
         (if flip { -one } else { one }, self.intern(Op::Sum(terms)))
     }
+}
+
+/// |a| = |b|
+pub(super) fn has_magnitude(a: &BigRational, b: &BigRational) -> bool {
+    a.numer().magnitude() == b.numer().magnitude() && a.denom() == b.denom()
 }
 
 /// The rate at which something with these operands changes.

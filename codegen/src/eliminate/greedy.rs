@@ -1,0 +1,164 @@
+//! A good choice of unknowns of a large block: one after the other, the cheapest first.
+//!
+//! Each is solved for with one equation and put into those that contain it. With k other unknowns in that equation and
+//! l other equations with that unknown this costs 2 k l operations (Markowitz 1957), and fills up as many places.
+
+use super::Choice;
+use super::LEAST_PIVOT;
+use super::MOST_OPERATIONS;
+use super::SMALL;
+use super::candidates::Candidates;
+use std::cmp::Reverse;
+
+/// Most operations for one unknown: what one of a dense block of [`SMALL`] takes. Larger unrolls the solution of dense
+/// blocks, which a loop does as well.
+const MOST_PER_UNKNOWN: usize = 2 * (SMALL - 1) * (SMALL - 1);
+
+/// The better of two orders, by the number of unknowns, then by operations: first what is in equations with the fewest
+/// products of unknowns (positions, of which the rate is a velocity), or first what is in the fewest products
+/// (velocities and multipliers). `None` if every one is needed.
+pub(super) fn greedy(candidates: &Candidates) -> Option<Choice> {
+    let n = candidates.len();
+    let couplings = &candidates.couplings;
+    let row_products: Vec<usize> = couplings
+        .iter()
+        .map(|row| row.iter().filter(|coupling| **coupling != 0).count())
+        .collect();
+    let col_products: Vec<usize> = (0..n)
+        .map(|col| couplings.iter().filter(|row| row[col] != 0).count())
+        .collect();
+    let by_row = Elimination::run(candidates, |row, _| row_products[row]);
+    let by_col = Elimination::run(candidates, |_, col| col_products[col]);
+    let worth = |choice: &Elimination| (choice.cols.len(), Reverse(choice.operations));
+    let better = if worth(&by_col) > worth(&by_row) {
+        by_col
+    } else {
+        by_row
+    };
+    (!better.cols.is_empty()).then(|| better.choice())
+}
+
+/// An elimination under way.
+struct Elimination {
+    rows: Vec<usize>,
+    cols: Vec<usize>,
+    operations: usize,
+    /// The equations that are left, linear in all of `cols` together.
+    open: Vec<bool>,
+    /// The equations that are left, whether linear or not.
+    left: Vec<bool>,
+    /// The eliminated unknowns as bits.
+    eliminated: u128,
+    /// For each unknown, those it must not be eliminated with since some equation of `rows` contains their product.
+    excluded: Vec<u128>,
+    /// For each equation that is left the unknowns in it.
+    patterns: Vec<u128>,
+    /// At each point the coefficients that are left.
+    matrices: Vec<Vec<Vec<f64>>>,
+}
+
+impl Elimination {
+    /// Takes unknowns as long as it can, those of the smallest `rank` first.
+    fn run(candidates: &Candidates, rank: impl Fn(usize, usize) -> usize) -> Self {
+        let n = candidates.len();
+        let mut elimination = Self {
+            rows: Vec::new(),
+            cols: Vec::new(),
+            operations: 0,
+            open: vec![true; n],
+            left: vec![true; n],
+            eliminated: 0,
+            excluded: vec![0; n],
+            patterns: candidates.patterns.clone(),
+            matrices: candidates.matrices.clone(),
+        };
+        while let Some((row, col, cost)) = elimination.cheapest(candidates, &rank) {
+            elimination.take(candidates, row, col, cost);
+        }
+        elimination
+    }
+
+    /// The next equation, its unknown and the price.
+    fn cheapest(
+        &self,
+        candidates: &Candidates,
+        rank: impl Fn(usize, usize) -> usize,
+    ) -> Option<(usize, usize, usize)> {
+        let n = candidates.len();
+        let users: Vec<usize> = (0..n).map(|col| self.left_with(col).count()).collect();
+        let mut best: Option<((usize, usize), f64, (usize, usize))> = None;
+        for row in (0..n).filter(|&row| self.open[row]) {
+            let others = self.patterns[row].count_ones() as usize - 1;
+            for col in (0..n).filter(|col| self.patterns[row] & 1 << col != 0) {
+                let with = self.eliminated | 1 << col;
+                let cost = 2 * others * (users[col] - 1);
+                let is_linear = (candidates.couplings[row][col] | self.excluded[col]) & with == 0;
+                let is_cheap =
+                    cost <= MOST_PER_UNKNOWN && self.operations + cost <= MOST_OPERATIONS;
+                if !is_linear || !is_cheap {
+                    continue;
+                }
+                let pivot = self.pivot(row, col);
+                let price = (rank(row, col), cost);
+                let is_better = best.is_none_or(|(least, largest, _)| {
+                    price < least || price == least && pivot > largest
+                });
+                if pivot >= LEAST_PIVOT && is_better {
+                    best = Some((price, pivot, (row, col)));
+                }
+            }
+        }
+        best.map(|((_, cost), _, (row, col))| (row, col, cost))
+    }
+
+    /// The size of a coefficient at the point where it is smallest; 0 if it has no finite value.
+    fn pivot(&self, row: usize, col: usize) -> f64 {
+        let sizes = self.matrices.iter().map(|matrix| matrix[row][col].abs());
+        let finite = sizes.map(|size| if size.is_finite() { size } else { 0.0 });
+        finite.fold(f64::INFINITY, f64::min)
+    }
+
+    fn left_with(&self, col: usize) -> impl Iterator<Item = usize> {
+        let rows = 0..self.patterns.len();
+        rows.filter(move |&row| self.left[row] && self.patterns[row] & 1 << col != 0)
+    }
+
+    fn take(&mut self, candidates: &Candidates, row: usize, col: usize, cost: usize) {
+        self.rows.push(row);
+        self.cols.push(col);
+        self.operations += cost;
+        self.eliminated |= 1 << col;
+        self.left[row] = false;
+        self.open[row] = false;
+        let couplings = candidates.couplings.iter().zip(&mut self.open);
+        for (couplings, open) in couplings {
+            *open &= couplings[col] & self.eliminated == 0;
+        }
+        for (excluded, coupling) in self.excluded.iter_mut().zip(&candidates.couplings[row]) {
+            *excluded |= coupling;
+        }
+        let others: Vec<usize> = self.left_with(col).collect();
+        for matrix in &mut self.matrices {
+            let pivot_row = matrix[row].clone();
+            for &other in &others {
+                let factor = matrix[other][col] / pivot_row[col];
+                for (entry, above) in matrix[other].iter_mut().zip(&pivot_row) {
+                    *entry -= factor * above;
+                }
+            }
+        }
+        for &other in &others {
+            self.patterns[other] = (self.patterns[other] | self.patterns[row]) & !(1 << col);
+        }
+    }
+
+    /// In ascending order, as the equations stand in the model.
+    fn choice(mut self) -> Choice {
+        self.rows.sort_unstable();
+        self.cols.sort_unstable();
+        Choice {
+            rows: self.rows,
+            cols: self.cols,
+        }
+    }
+}
