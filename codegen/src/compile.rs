@@ -34,6 +34,7 @@ use crate::parse::parse_unit;
 use crate::source::lex;
 use crate::stage::program;
 use crate::structure::structure;
+use crate::system::Core;
 use crate::system::Entry;
 use crate::system::Equations;
 use crate::system::System;
@@ -243,15 +244,16 @@ fn discrete(model: &Model, form: Form) -> Result<(System, Vec<Option<Finding>>),
         next: &next,
         blocks: &blocks,
     };
-    let core = eliminate(&mut dag, &full).map(|core| {
-        let entries = differentiate(&mut dag, &core.residual, model.n_unknowns()).into_iter();
+    let core = eliminate(&mut dag, &full).map(|reduced| {
+        let entries = differentiate(&mut dag, &reduced.residual, n).into_iter();
         let own = entries.filter_map(|entry| {
-            let col = core.unknowns.iter().position(|&col| col == entry.col)?;
+            let col = reduced.unknowns.iter().position(|&col| col == entry.col)?;
             Some(Entry { col, ..entry })
         });
-        let own = own.collect();
-        (core, own)
+        let jacobian = own.collect();
+        Core { reduced, jacobian }
     });
+    let core = core.filter(|core| core.pays(&dag, &residual, &jacobian, &next));
     debug_assert_eq!(dag.verify(), Ok(()));
     Ok((
         System {

@@ -23,8 +23,9 @@ use crate::dag::Node;
 use crate::dag::NodeId;
 use crate::linear::solve;
 use crate::system::Block;
-use crate::system::Core;
+
 use crate::system::Entry;
+use crate::system::Reduced;
 use candidates::Candidates;
 use candidates::Survey;
 use exhaustive::exhaustive;
@@ -32,12 +33,12 @@ use greedy::greedy;
 use num_traits::Signed;
 
 /// Most unknowns of a block of which all choices are compared, and of one that is solved in closed form however dense
-/// it is: 4096 choices, 1500 operations. Each more doubles the choices; ten more cost seconds.
+/// it is: 4096 choices, 1500 operations. Each more doubles the choices.
 const SMALL: usize = 12;
 
-/// Most operations of the closed form of a larger block: what a dense one of [`SMALL`] takes, 2n³/3 + 2n². That is what
-/// Newton's method spends on the same unknowns in every iteration, but unrolled; larger closed forms take rustc
-/// longer than they are worth.
+/// Most operations of the closed form of a larger block, besides those in proportion to its entries: what a dense one of
+/// [`SMALL`] takes, 2n³/3 + 2n². Newton's method spends as much on the same unknowns in every iteration, but in a loop;
+/// unrolled they take rustc longer than they are worth.
 const MOST_OPERATIONS: usize = 2 * SMALL * SMALL * SMALL / 3 + 2 * SMALL * SMALL;
 
 /// Least pivot of the eliminated equations, each scaled by its largest entry: what only the step keeps from being
@@ -64,8 +65,8 @@ pub struct Full<'a> {
     pub blocks: &'a [Block],
 }
 
-/// The core; `None` if every unknown is needed.
-pub fn eliminate(dag: &mut Dag, full: &Full) -> Option<Core> {
+/// What is left; `None` if every unknown is needed.
+pub fn eliminate(dag: &mut Dag, full: &Full) -> Option<Reduced> {
     let n = full.residual.len();
     let survey = Survey::of(dag, full.jacobian);
     let mut values: Vec<Option<NodeId>> = vec![None; n];
@@ -92,7 +93,7 @@ pub fn eliminate(dag: &mut Dag, full: &Full) -> Option<Core> {
     let residual: Vec<NodeId> = rows.map(|row| full.residual[row]).collect();
     let residual = put_in(dag, &residual, &values);
     let next = put_in(dag, full.next, &values);
-    Some(Core {
+    Some(Reduced {
         residual,
         guess: unknowns.iter().map(|&col| full.guess[col]).collect(),
         next,

@@ -1,7 +1,7 @@
 //! A good choice of unknowns of a large block: one after the other, the cheapest first.
 //!
 //! Each is solved for with one equation and put into those that contain it. With k other unknowns in that equation and
-//! l other equations with that unknown this costs 2 k l operations (Markowitz 1957), and fills up as many places.
+//! l other equations with that unknown this costs 2 k l operations (Markowitz 1957), and fills up at most k l places.
 
 use super::Choice;
 use super::LEAST_PIVOT;
@@ -10,9 +10,9 @@ use super::SMALL;
 use super::candidates::Candidates;
 use std::cmp::Reverse;
 
-/// Most operations for one unknown: what one of a dense block of [`SMALL`] takes. Larger unrolls the solution of dense
-/// blocks, which a loop does as well.
-const MOST_PER_UNKNOWN: usize = 2 * (SMALL - 1) * (SMALL - 1);
+/// Most operations in all, per entry of the Jacobian: 2 or 3 suffice to put positions, of which each depends on its
+/// velocity alone, into a dense force. Larger unrolls more of what a loop does as well.
+const MOST_PER_ENTRY: usize = 4;
 
 /// The better of two orders, by the number of unknowns, then by operations: first what is in equations with the fewest
 /// products of unknowns (positions, of which the rate is a velocity), or first what is in the fewest products
@@ -43,6 +43,8 @@ struct Elimination {
     rows: Vec<usize>,
     cols: Vec<usize>,
     operations: usize,
+    /// The most of them.
+    budget: usize,
     /// The equations that are left, linear in all of `cols` together.
     open: Vec<bool>,
     /// The equations that are left, whether linear or not.
@@ -61,10 +63,12 @@ impl Elimination {
     /// Takes unknowns as long as it can, those of the smallest `rank` first.
     fn run(candidates: &Candidates, rank: impl Fn(usize, usize) -> usize) -> Self {
         let n = candidates.len();
+        let entries: u32 = candidates.patterns.iter().map(|row| row.count_ones()).sum();
         let mut elimination = Self {
             rows: Vec::new(),
             cols: Vec::new(),
             operations: 0,
+            budget: MOST_OPERATIONS + MOST_PER_ENTRY * entries as usize,
             open: vec![true; n],
             left: vec![true; n],
             eliminated: 0,
@@ -91,11 +95,12 @@ impl Elimination {
             let others = self.patterns[row].count_ones() as usize - 1;
             for col in (0..n).filter(|col| self.patterns[row] & 1 << col != 0) {
                 let with = self.eliminated | 1 << col;
-                let cost = 2 * others * (users[col] - 1);
+                let others_with = users[col] - 1;
+                let cost = 2 * others * others_with;
                 let is_linear = (candidates.couplings[row][col] | self.excluded[col]) & with == 0;
-                let is_cheap =
-                    cost <= MOST_PER_UNKNOWN && self.operations + cost <= MOST_OPERATIONS;
-                if !is_linear || !is_cheap {
+                let is_sparse = others.min(others_with) < SMALL;
+                let is_cheap = self.operations + cost <= self.budget;
+                if !is_linear || !is_sparse || !is_cheap {
                     continue;
                 }
                 let pivot = self.pivot(row, col);
