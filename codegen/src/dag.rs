@@ -13,11 +13,11 @@
 //! `normal`, so equal expressions share a node and no node is simplifiable by itself. A pass over
 //! the graph is a loop.
 
+use crate::index::Index;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::One;
 use num_traits::Signed;
-use std::collections::HashMap;
 use std::fmt;
 use std::hash::Hash;
 use std::hash::Hasher;
@@ -141,7 +141,7 @@ pub enum Node {
 pub struct Dag {
     nodes: Vec<Node>,
     rates: Vec<Rate>,
-    index: HashMap<Node, NodeId>,
+    index: Index,
 }
 
 impl Dag {
@@ -249,10 +249,11 @@ impl Dag {
 
     /// The id of `node`, which must be in normal form: only `normal` calls this.
     pub(crate) fn intern(&mut self, node: Node) -> NodeId {
-        if let Some(&id) = self.index.get(&node) {
-            return id;
-        }
-        let id = NodeId(u32::try_from(self.nodes.len()).expect("a graph of 2^32 nodes"));
+        let id = |position| NodeId(u32::try_from(position).expect("a graph of 2^32 nodes"));
+        let hash = match self.index.find(|i| &self.nodes[i], &node) {
+            Ok(position) => return id(position),
+            Err(hash) => hash,
+        };
         let rate = match &node {
             Node::Leaf(leaf) => leaf.rate(),
             _ => {
@@ -262,9 +263,9 @@ impl Dag {
             }
         };
         self.rates.push(rate);
-        self.nodes.push(node.clone());
-        self.index.insert(node, id);
-        id
+        self.nodes.push(node);
+        self.index.push(hash);
+        id(self.nodes.len() - 1)
     }
 
     /// Checks what every pass relies on: operands stand before users, nodes are distinct.
@@ -280,7 +281,7 @@ impl Dag {
                     "node {i} uses a node that does not stand before it"
                 ));
             }
-            if self.index.get(node).map(|id| id.index()) != Some(i) {
+            if self.index.find(|j| &self.nodes[j], node) != Ok(i) {
                 return Err(format!("node {i} stands twice"));
             }
         }

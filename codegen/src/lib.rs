@@ -29,6 +29,7 @@ pub mod explicit;
 pub mod finding;
 pub mod finite;
 pub mod function;
+pub mod index;
 pub mod linear;
 pub mod lower;
 pub mod matrix;

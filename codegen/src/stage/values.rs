@@ -1,6 +1,7 @@
 //! The value list under construction: equal operations share a value.
 
 use crate::dag::Rate;
+use crate::index::Index;
 use crate::normal::times;
 use crate::schedule::Op;
 use crate::schedule::Value;
@@ -10,7 +11,6 @@ use num_traits::One;
 use num_traits::Signed;
 use std::cmp::Ordering;
 use std::cmp::Reverse;
-use std::collections::HashMap;
 
 /// All rates, slowest first.
 const RATES: [Rate; 3] = [Rate::Scene, Rate::Step, Rate::Iteration];
@@ -19,7 +19,9 @@ const RATES: [Rate; 3] = [Rate::Scene, Rate::Step, Rate::Iteration];
 #[derive(Default)]
 pub(super) struct Values {
     pub(super) list: Vec<Value>,
-    index: HashMap<Op, ValueId>,
+    /// The operations as they were before `share` rewrote them.
+    original: Vec<Op>,
+    index: Index,
 }
 
 impl Values {
@@ -35,17 +37,19 @@ impl Values {
 
     /// The value of `op`.
     pub(super) fn intern(&mut self, op: Op) -> ValueId {
-        if let Some(&id) = self.index.get(&op) {
-            return id;
-        }
-        let id = ValueId(u32::try_from(self.list.len()).expect("a schedule of 2^32 values"));
+        let id = |position| ValueId(u32::try_from(position).expect("a schedule of 2^32 values"));
+        let hash = match self.index.find(|i| &self.original[i], &op) {
+            Ok(position) => return id(position),
+            Err(hash) => hash,
+        };
         let rate = match &op {
             Op::Leaf(leaf) => leaf.rate(),
             _ => fastest(op.operands().into_iter().map(|v| self.rate(v))),
         };
-        self.index.insert(op.clone(), id);
+        self.original.push(op.clone());
+        self.index.push(hash);
         self.list.push(Value { op, rate });
-        id
+        id(self.list.len() - 1)
     }
 
     /// c · v as one value.
