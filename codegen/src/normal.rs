@@ -162,7 +162,12 @@ impl Dag {
         let terms = if (-&content).is_one() {
             terms.into_iter().map(|(c, n)| (-c, n)).collect()
         } else {
-            terms.into_iter().map(|(c, n)| (c / &content, n)).collect()
+            let quotient = |c: BigRational| {
+                // A whole number: the content is that of all terms.
+                let above = c.numer() / content.numer();
+                BigRational::from_integer(above * (content.denom() / c.denom()))
+            };
+            terms.into_iter().map(|(c, n)| (quotient(c), n)).collect()
         };
         let core = self.intern(Node::Sum(terms));
         self.intern(Node::Sum(vec![(content, core)]))
@@ -334,12 +339,14 @@ pub fn rational(value: i64) -> BigRational {
     BigRational::from_integer(value.into())
 }
 
-/// a b, at no cost if one of them is 1: the usual case.
+/// a b, at little cost if one of them is 1, as it usually is, or both are whole.
 pub fn times(a: &BigRational, b: BigRational) -> BigRational {
     if a.is_one() {
         b
     } else if b.is_one() {
         a.clone()
+    } else if a.denom().is_one() && b.denom().is_one() {
+        BigRational::from_integer(a.numer() * b.numer())
     } else {
         a * b
     }

@@ -38,8 +38,26 @@ pub(super) fn greedy(candidates: &Candidates) -> Option<Choice> {
     (!better.cols.is_empty()).then(|| better.choice())
 }
 
+/// An equation and the unknown that it may be solved for.
+#[derive(Clone, Copy)]
+struct Pivot {
+    row: usize,
+    col: usize,
+    /// Rank and operations.
+    price: (usize, usize),
+    /// Of the coefficient.
+    size: f64,
+}
+
+impl Pivot {
+    fn is_better(&self, other: &Pivot) -> bool {
+        self.price < other.price || self.price == other.price && self.size > other.size
+    }
+}
+
 /// An elimination under way.
 struct Elimination {
+    /// Equations and unknowns that are eliminated.
     rows: Vec<usize>,
     cols: Vec<usize>,
     operations: usize,
@@ -76,21 +94,21 @@ impl Elimination {
             patterns: candidates.patterns.clone(),
             matrices: candidates.matrices.clone(),
         };
-        while let Some((row, col, cost)) = elimination.cheapest(candidates, &rank) {
-            elimination.take(candidates, row, col, cost);
+        while let Some(pivot) = elimination.cheapest(candidates, &rank) {
+            elimination.take(candidates, pivot);
         }
         elimination
     }
 
-    /// The next equation, its unknown and the price.
+    /// The next pivot, if any is left.
     fn cheapest(
         &self,
         candidates: &Candidates,
         rank: impl Fn(usize, usize) -> usize,
-    ) -> Option<(usize, usize, usize)> {
+    ) -> Option<Pivot> {
         let n = candidates.len();
         let users: Vec<usize> = (0..n).map(|col| self.left_with(col).count()).collect();
-        let mut best: Option<((usize, usize), f64, (usize, usize))> = None;
+        let mut best: Option<Pivot> = None;
         for row in (0..n).filter(|&row| self.open[row]) {
             let others = self.patterns[row].count_ones() as usize - 1;
             for col in (0..n).filter(|col| self.patterns[row] & 1 << col != 0) {
@@ -103,21 +121,22 @@ impl Elimination {
                 if !is_linear || !is_sparse || !is_cheap {
                     continue;
                 }
-                let pivot = self.pivot(row, col);
-                let price = (rank(row, col), cost);
-                let is_better = best.is_none_or(|(least, largest, _)| {
-                    price < least || price == least && pivot > largest
-                });
-                if pivot >= LEAST_PIVOT && is_better {
-                    best = Some((price, pivot, (row, col)));
+                let pivot = Pivot {
+                    row,
+                    col,
+                    price: (rank(row, col), cost),
+                    size: self.size(row, col),
+                };
+                if pivot.size >= LEAST_PIVOT && best.is_none_or(|best| pivot.is_better(&best)) {
+                    best = Some(pivot);
                 }
             }
         }
-        best.map(|((_, cost), _, (row, col))| (row, col, cost))
+        best
     }
 
     /// The size of a coefficient at the point where it is smallest; 0 if it has no finite value.
-    fn pivot(&self, row: usize, col: usize) -> f64 {
+    fn size(&self, row: usize, col: usize) -> f64 {
         let sizes = self.matrices.iter().map(|matrix| matrix[row][col].abs());
         let finite = sizes.map(|size| if size.is_finite() { size } else { 0.0 });
         finite.fold(f64::INFINITY, f64::min)
@@ -128,10 +147,11 @@ impl Elimination {
         rows.filter(move |&row| self.left[row] && self.patterns[row] & 1 << col != 0)
     }
 
-    fn take(&mut self, candidates: &Candidates, row: usize, col: usize, cost: usize) {
+    fn take(&mut self, candidates: &Candidates, pivot: Pivot) {
+        let Pivot { row, col, .. } = pivot;
         self.rows.push(row);
         self.cols.push(col);
-        self.operations += cost;
+        self.operations += pivot.price.1;
         self.eliminated |= 1 << col;
         self.left[row] = false;
         self.open[row] = false;
