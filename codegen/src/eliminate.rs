@@ -32,8 +32,11 @@ use exhaustive::exhaustive;
 use greedy::greedy;
 use num_traits::Signed;
 
-/// Most unknowns of a block of which all choices are compared, and of one that is solved in closed form however dense
-/// it is: 4096 choices, 1500 operations. Each more doubles the choices.
+/// Most unknowns of a block of which all choices are compared: 256, and up to 64 choices of equations for each. Each more
+/// doubles them.
+const FEW: usize = 8;
+
+/// Most unknowns of a block that is solved in closed form however dense it is: 1500 operations.
 const SMALL: usize = 12;
 
 /// Most operations of the closed form of a larger block, besides those in proportion to its entries: what a dense one of
@@ -105,7 +108,7 @@ pub fn eliminate(dag: &mut Dag, full: &Full) -> Option<Reduced> {
 /// What to eliminate of a block.
 fn choose(block: &Block, jacobian: &[Entry], survey: &Survey) -> Option<Choice> {
     let candidates = Candidates::new(block, jacobian, survey);
-    let choice = if block.cols.len() <= SMALL {
+    let choice = if block.cols.len() <= FEW {
         exhaustive(&candidates)?
     } else {
         greedy(&candidates)?

@@ -21,14 +21,18 @@ pub(super) fn exhaustive(candidates: &Candidates) -> Option<Choice> {
             let linear: Vec<usize> = linear.collect();
             for rows in combinations(linear.len(), cols.len()).take(MOST_ROWS) {
                 let rows: Vec<usize> = rows.iter().map(|&i| linear[i]).collect();
-                let pivots = candidates.matrices.iter().map(|matrix| {
+                let least = best.as_ref().map_or(LEAST_PIVOT, |(pivot, _)| *pivot);
+                let mut pivot = f64::INFINITY;
+                for matrix in &candidates.matrices {
                     let part = rows
                         .iter()
                         .map(|&i| cols.iter().map(|&j| matrix[i][j]).collect());
-                    smallest_pivot(&part.collect::<Vec<_>>())
-                });
-                let pivot = pivots.fold(f64::INFINITY, f64::min);
-                if pivot > best.as_ref().map_or(LEAST_PIVOT, |(pivot, _)| *pivot) {
+                    pivot = pivot.min(smallest_pivot(&part.collect::<Vec<_>>()));
+                    if pivot <= least {
+                        break;
+                    }
+                }
+                if pivot > least {
                     let cols = cols.clone();
                     best = Some((pivot, Choice { rows, cols }));
                 }
