@@ -57,6 +57,7 @@ fn main() {
     generated::<models::double_planar::Increment, 4>("double_planar increment", rounds);
     generated::<models::elastic::Increment, 4>("elastic increment", rounds);
     generated::<models::spherical::Increment, 6>("spherical increment", rounds);
+    generated::<models::lattice::Increment, 12>("lattice increment", rounds);
 }
 
 /// The form `F`, coded by hand, and the generated solver `S` of the same equations.
