@@ -13,6 +13,7 @@ use crate::scalar::Real;
 use crate::settings::MOST_GROWTH;
 use crate::settings::MOST_QUICK;
 use crate::settings::Settings;
+use crate::settings::Strategy;
 use crate::shifts::Shifts;
 
 /// Newton's method with its workspace, made once per run.
@@ -80,7 +81,10 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
             Some(solved) => solved,
             None => self.solve_thoroughly(scene, step, known, guess, statistics)?,
         };
-        self.shifts.push(&x, &guess);
+        // Without earlier steps there is no extrapolation, and nothing to trust.
+        if self.settings.strategy != Strategy::Plain {
+            self.shifts.push(&x, &guess);
+        }
         Ok((x, report))
     }
 
