@@ -1,4 +1,6 @@
-//! The driver: the one file that names more than one stage.
+//! The driver: the one module that names more than one stage.
+
+mod scene;
 
 use crate::ast::ClaimKind;
 use crate::ast::Form;
@@ -9,6 +11,7 @@ use crate::check::check_value;
 use crate::check::stand_in;
 use crate::claims::continuous_claims;
 use crate::claims::discrete_claims;
+use crate::dag::Dag;
 use crate::dag::Leaf;
 use crate::diagnostic::Diagnostic;
 use crate::diagnostic::Errors;
@@ -34,11 +37,19 @@ use crate::parse::parse_unit;
 use crate::source::lex;
 use crate::stage::program;
 use crate::structure::structure;
+use crate::system::Core;
 use crate::system::Entry;
 use crate::system::Equations;
 use crate::system::System;
 use proc_macro2::Span;
 use proc_macro2::TokenStream;
+
+pub use scene::ReadModel;
+pub use scene::Scene;
+pub use scene::analyse_scene;
+pub use scene::compile_scene;
+pub use scene::expand_scene;
+pub use scene::model_of_scene;
 
 /// The Rust items of a model, from the tokens inside `model! { … }`; `name` is the stem of its file.
 /// A model with mistakes becomes compiler errors and items that keep callers quiet.
@@ -68,7 +79,7 @@ fn quiet(name: &str, tokens: TokenStream) -> TokenStream {
 pub fn compile(name: &str, tokens: TokenStream) -> Result<TokenStream, Errors> {
     let analysis = analyse(name, tokens)?;
     let program = program(&analysis.equations, &analysis.systems);
-    Ok(emit(&analysis.model, &program, &analysis.findings))
+    Ok(emit(&analysis.model, &program, &analysis.findings, None))
 }
 
 /// Everything the generator knows about a model before it emits code.
@@ -243,15 +254,7 @@ fn discrete(model: &Model, form: Form) -> Result<(System, Vec<Option<Finding>>),
         next: &next,
         blocks: &blocks,
     };
-    let core = eliminate(&mut dag, &full).map(|core| {
-        let entries = differentiate(&mut dag, &core.residual, model.n_unknowns()).into_iter();
-        let own = entries.filter_map(|entry| {
-            let col = core.unknowns.iter().position(|&col| col == entry.col)?;
-            Some(Entry { col, ..entry })
-        });
-        let own = own.collect();
-        (core, own)
-    });
+    let core = core(&mut dag, &full);
     debug_assert_eq!(dag.verify(), Ok(()));
     Ok((
         System {
@@ -267,4 +270,16 @@ fn discrete(model: &Model, form: Form) -> Result<(System, Vec<Option<Finding>>),
         },
         judged.findings,
     ))
+}
+
+/// What is left of a solver after elimination, and its Jacobian.
+fn core(dag: &mut Dag, full: &Full) -> Option<(Core, Vec<Entry>)> {
+    let core = eliminate(dag, full)?;
+    let entries = differentiate(dag, &core.residual, full.residual.len()).into_iter();
+    let own = entries.filter_map(|entry| {
+        let col = core.unknowns.iter().position(|&col| col == entry.col)?;
+        Some(Entry { col, ..entry })
+    });
+    let own = own.collect();
+    Some((core, own))
 }

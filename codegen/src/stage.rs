@@ -71,6 +71,7 @@ fn solver(system: &System) -> Solver {
             pattern: jacobian.iter().map(|e| (e.row, e.col)).collect(),
             schedule: stage(&system.dag, &kernels),
             unknowns: core.unknowns.clone(),
+            solved: core.solved.clone(),
             core: None,
         })
     });
@@ -85,6 +86,7 @@ fn solver(system: &System) -> Solver {
         pattern: system.jacobian.iter().map(|e| (e.row, e.col)).collect(),
         schedule: stage(&system.dag, &kernels),
         unknowns: (0..system.residual.len()).collect(),
+        solved: Vec::new(),
         core,
     }
 }

@@ -111,6 +111,8 @@ pub struct System {
 pub struct Core {
     /// The unknowns that are left, ascending.
     pub unknowns: Vec<usize>,
+    /// The equations that are solved for the others, ascending.
+    pub solved: Vec<usize>,
     /// As many equations.
     pub residual: Vec<NodeId>,
     /// First guess of each unknown that is left.
