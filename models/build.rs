@@ -76,7 +76,9 @@ fn add(kind: &Kind, path: &Path, bytes: &[u8], modules: &mut String, entries: &m
     }
     if ending == "scene" && path.with_extension("model").exists() {
         refuse(
-            &format!("{shown}: there is a model `{stem}` too, and both would be the module `{stem}`"),
+            &format!(
+                "{shown}: there is a model `{stem}` too, and both would be the module `{stem}`"
+            ),
             modules,
         );
         return;

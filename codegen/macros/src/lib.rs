@@ -31,7 +31,9 @@ pub fn scene(tokens: TokenStream) -> TokenStream {
     // Saving the model rebuilds the scene too: rustc keeps track of what is included.
     if let Some(model) = model.filter(|_| is_there) {
         let file = format!("{model}.model");
-        items.extend(quote::quote!(const _: &str = ::core::include_str!(#file);));
+        items.extend(quote::quote!(
+            const _: &str = ::core::include_str!(#file);
+        ));
     }
     items.into()
 }
