@@ -77,6 +77,8 @@ pub struct Receipt {
     pub until: f64,
     /// Names of wanted states and outputs.
     pub keep: Vec<String>,
+    /// Names of the parameters that are folded in, each with its components row by row.
+    pub fixed: Vec<(String, Vec<f64>)>,
     /// Positions in the flat state that stay 0, each with the reason.
     pub zeros: Vec<(usize, String)>,
     /// What of the model is left out.

@@ -38,10 +38,21 @@ pub struct Scene {
     pub until: f64,
     /// Names of the states and outputs that were asked for; the other states are there because these need them.
     pub keep: &'static [&'static str],
+    /// Parameters that are folded in.
+    pub fixed: &'static [Fixed],
     /// Components of the state that are taken for 0 throughout.
     pub zeros: &'static [Zero],
     /// What of the model is not computed.
     pub skipped: &'static [Skipped],
+}
+
+/// A parameter of the model with the value that a scene gives it for good.
+#[derive(Debug)]
+pub struct Fixed {
+    /// As in the model file.
+    pub name: &'static str,
+    /// Components row by row.
+    pub values: &'static [f64],
 }
 
 /// A component of the state that starts at 0 and stays there.

@@ -120,6 +120,7 @@ pub fn analyse_scene(name: &str, tokens: TokenStream, read: ReadModel) -> Result
         step,
         until,
         keep: keep(&file, &wishes),
+        fixed: fixed(&model, &equations, &wishes),
         zeros: special.zeros,
         skipped: special.skipped,
     };
@@ -140,7 +141,8 @@ pub fn analyse_scene(name: &str, tokens: TokenStream, read: ReadModel) -> Result
 /// The model that a scene names, and its text as if all of it stood where the scene names it.
 fn model_file(named: &Name, read: ReadModel) -> Result<(Model, Ast), Errors> {
     let (name, place) = (&named.display, named.range);
-    let text = read(name).map_err(|reason| mistake(place, reason))?;
+    let missing = |reason| mistake(place, format!("there is no model `{name}`: {reason}"));
+    let text = read(name).map_err(missing)?;
     let flawed = |first: &str| mistake(place, format!("the model `{name}` has mistakes: {first}"));
     let first = |errors: Errors| flawed(errors.to_string().lines().next().unwrap_or_default());
     // Inside rustc a text other than the source has no lines; outside it has. Nothing but positions leaves this
@@ -212,6 +214,21 @@ fn point_into(file: &Model, model: &mut Model) {
         to.range = from.range;
         to.text.clone_from(&from.text);
     });
+}
+
+/// The parameters that are folded in, as numbers.
+fn fixed(model: &Model, equations: &Equations, wishes: &Wishes) -> Vec<(String, Vec<f64>)> {
+    let values = equations.dag.evaluate(|_| f64::NAN);
+    let parameters = model.parameters.iter().zip(&wishes.fixed);
+    let fixed = parameters.filter(|(_, fixed)| fixed.is_some());
+    fixed
+        .map(|(parameter, _)| {
+            let variable = &parameter.variable;
+            let own = variable.offset..variable.offset + variable.shape.len();
+            let values = equations.defaults[own].iter().map(|n| values[n.index()]);
+            (variable.name.display.clone(), values.collect())
+        })
+        .collect()
 }
 
 /// The names of what is wanted.

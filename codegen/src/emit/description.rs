@@ -119,6 +119,10 @@ fn scene(receipt: &Receipt) -> TokenStream {
         model, keep, step, ..
     } = receipt;
     let (step, until) = (float(*step), float(receipt.until));
+    let fixed = receipt.fixed.iter().map(|(name, values)| {
+        let values = values.iter().copied().map(float);
+        quote!(::residua::description::Fixed { name: #name, values: &[#(#values),*] })
+    });
     let zeros = receipt.zeros.iter().map(|(component, reason)| {
         let component = whole(*component);
         quote!(::residua::description::Zero { component: #component, reason: #reason })
@@ -141,6 +145,7 @@ fn scene(receipt: &Receipt) -> TokenStream {
             step: #step,
             until: #until,
             keep: &[#(#keep),*],
+            fixed: &[#(#fixed),*],
             zeros: &[#(#zeros),*],
             skipped: &[#(#skipped),*],
         })

@@ -157,9 +157,12 @@ impl Parser {
         while cursor.eat_punct(',') && !cursor.peeks_punct(';') {
             names.push(cursor.expect_name()?);
         }
-        if cursor.peeks_open(Delimiter::Parenthesis) || cursor.peeks_punct('.') {
+        let is_name = matches!(cursor.peek(), Some(Kind::Ident(_)));
+        let is_pick = cursor.peeks_open(Delimiter::Parenthesis) || cursor.peeks_punct('.');
+        if is_pick || is_name && !is_keyword(cursor.peek()) && !cursor.starts_a_line() {
             let mut diagnostic = cursor.unexpected("`,` or `;`");
-            diagnostic.help = Some("keep a state or an output as a whole".to_owned());
+            let whole = "keep a state or an output as a whole";
+            diagnostic.help = is_pick.then(|| whole.to_owned());
             return Err(diagnostic);
         }
         self.scene_semicolon(cursor)?;

@@ -45,7 +45,7 @@ pub fn compile_entry(entry: &Entry) -> Result<TokenStream, Failure> {
     }
     let read = |model: &str| match find(model) {
         Ok(model) => Ok(model.source.to_owned()),
-        Err(unknown) => Err(unknown.to_string()),
+        Err(unknown) => Err(format!("{unknown} in the catalogue")),
     };
     let tokens = read_scene(text.as_bytes());
     compile(&format!("{name}.scene"), text, tokens, &|tokens| {
