@@ -47,6 +47,8 @@ fn stem(otherwise: &str) -> String {
 
 /// A model file in the folder of the invocation.
 fn beside(model: &str) -> PathBuf {
-    let file = Span::call_site().local_file().unwrap_or_default();
+    let here = Span::call_site();
+    let file = here.local_file();
+    let file = file.unwrap_or_else(|| PathBuf::from(here.file()));
     file.with_file_name(format!("{model}.model"))
 }
