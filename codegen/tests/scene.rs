@@ -204,6 +204,17 @@ fn an_update_that_moves_a_state_keeps_it() {
     assert_eq!(states(&counted), ["x"]);
 }
 
+/// s drives x, in the equation or in the first guess alone.
+#[test]
+fn what_an_equation_or_a_guess_contains_is_needed() {
+    let driven = "state x; state s; residual { Δx = -h*s*x[k+1/2]; } update { s = s + h; }
+        start { x = 1; s = 1; }";
+    assert_eq!(states(&of(driven, "keep x;")), ["x", "s"]);
+    let guessed = "state x; state s; unknown u = s; residual { u^3 + u = x; Δx = h*u; }
+        update { s = s + h; } start { x = 1; s = 1; }";
+    assert_eq!(states(&of(guessed, "keep x;")), ["x", "s"]);
+}
+
 #[test]
 fn a_flow_that_needs_more_than_the_equations_is_left_out() {
     let model = "state x; state y; flow { der(x) = -x + y; der(y) = 0; }
