@@ -7,6 +7,7 @@
 //! | [`parse`] | tokens | [`ast::Ast`] | the text is a list of statements |
 //! | [`check`] | `Ast` | [`model::Model`] | names, shapes and units are right, `let`s are gone |
 //! | [`lower`] | `Model` | [`system::Equations`] and residuals | scalars only, no time levels |
+//! | [`specialise`] | `Equations`, residuals | the same | nothing in it that a scene does not need |
 //! | [`differentiate`] | residuals | Jacobian entries | exact, structural non-zeros only |
 //! | [`structure`] | residuals, entries | [`system::System`] | solvable, in block order |
 //! | [`eliminate`] | `System` | [`system::Core`] | what is iterated on is as small as it can be |

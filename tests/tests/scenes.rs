@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector};
 use rand::rngs::StdRng;
 use rand::{RngExt, SeedableRng};
 use residua::erased::Catalogued;
-use residua::{Component, InvalidRun, RunError};
+use residua::{Component, InvalidRun, RunError, Strategy};
 use residua_codegen::dag::{Leaf, NodeId, Tape};
 use residua_codegen::source::{lex, read_source};
 use residua_codegen::system::System;
@@ -77,6 +77,30 @@ fn scenes_take_the_steps_of_their_models() {
         }
         eprintln!("{}: {worst:e}", entry.name());
         assert!(worst <= 1e-9, "{}: {worst:e}", entry.name());
+    }
+}
+
+/// What a scene iterates on takes the steps of all its unknowns and is never given up.
+#[test]
+fn the_core_of_a_scene_takes_the_steps_of_all_its_unknowns() {
+    for entry in SCENES {
+        let scene = entry.catalogued;
+        let case = Case::of_file(scene);
+        let h = scene.description.scene.expect("a scene").step;
+        let mut ends = [Vec::new(), Vec::new()];
+        for (strategy, end) in [Strategy::Core, Strategy::Full].into_iter().zip(&mut ends) {
+            let mut run = case.run(h, 1000, 0);
+            run.settings.strategy = strategy;
+            let outcome = scene.solvers[0].simulate(&run, &mut |sample| {
+                *end = sample.state.to_vec();
+                ControlFlow::Continue(())
+            });
+            let statistics = outcome.unwrap_or_else(|error| panic!("{}: {error}", entry.name()));
+            assert_eq!(statistics.fallbacks, 0, "{}, {strategy:?}", entry.name());
+        }
+        let off = ends[0].iter().zip(&ends[1]).map(|(a, b)| (a - b).abs());
+        let off = off.fold(0.0, f64::max) / size(&ends[1]);
+        assert!(off <= 1e-10, "{}: {off:e}", entry.name());
     }
 }
 

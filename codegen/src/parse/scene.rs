@@ -144,9 +144,8 @@ impl Parser {
         Ok(Assignment { name, value })
     }
 
-    /// `VALUE;`, for which `= VALUE;` is no mistake.
+    /// `VALUE;`
     fn lone_value(&mut self, cursor: &mut Cursor) -> Parsed<ExprId> {
-        cursor.eat_punct('=');
         let value = self.expression(cursor)?;
         self.scene_semicolon(cursor)?;
         Ok(value)
