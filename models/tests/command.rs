@@ -183,6 +183,8 @@ fn errata_refuses_what_cannot_be() {
         &["planar_angel", "planar_angle"],
     );
     assert_refused(&residua("errata --step 0"), 2, &["step"]);
+    let outcome = residua("errata paper_spatial");
+    assert_refused(&outcome, 2, &["is a scene", "spatial_group"]);
 }
 
 #[test]

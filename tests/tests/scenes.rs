@@ -327,9 +327,9 @@ fn random_scenes_take_the_steps_of_their_models() {
     for (i, model) in CATALOGUE.iter().enumerate() {
         let tokens = read_source(model.source.as_bytes()).expect("a model");
         let analysis = analyse(model.name(), tokens).expect("a sound model");
-        let steps = if i % 4 == 0 { STEPS } else { 100 };
+        let steps = if i % 5 == 0 { STEPS } else { 100 };
         compare(model, &analysis, &mut rng, steps, &mut tally);
-        for _ in 0..8 {
+        for _ in 0..5 {
             compare(model, &analysis, &mut rng, 100, &mut tally);
         }
     }
@@ -341,7 +341,7 @@ fn random_scenes_take_the_steps_of_their_models() {
         split,
     } = tally;
     eprintln!("{scenes} scenes, {unfit} unfit, {zeros} zeros, {dropped} dropped, {split} split");
-    assert!(scenes > 100 && zeros > 20 && dropped > 100 && split > 5);
+    assert!(scenes > 80 && zeros > 20 && dropped > 80 && split > 5);
 }
 
 /// The paper's body keeps ω.z = 0 by its symmetry. A run that breaks it is refused, by name and with the reason.
