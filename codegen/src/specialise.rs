@@ -2,12 +2,12 @@
 //!
 //! In come a model as scalars and what a scene wants of it; out goes a model in which
 //!
-//! 1. fixed parameters are numbers, and all that follows from them is folded ([`fold`]),
-//! 2. components that start at 0 and provably stay there are 0 ([`zeros`]),
-//! 3. only what wanted states and outputs depend on is left ([`needs`]),
+//! 1. fixed parameters are numbers, and all that follows from them is folded (`fold`),
+//! 2. components that start at 0 and provably stay there are 0 (`zeros`),
+//! 3. only what wanted states and outputs depend on is left (`needs`),
 //!
-//! and a list of all that is gone, with reasons ([`reasons`]). The rest of the pipeline takes it for a model like
-//! any other ([`narrow`]).
+//! and a list of all that is gone, with reasons (`reasons`). The rest of the pipeline takes it for a model like
+//! any other (`narrow`).
 
 mod fold;
 mod narrow;

@@ -14,6 +14,7 @@
 
 use super::Solver;
 use super::fold::vanishing_divisors;
+use super::needs::leaves;
 use crate::dag::Dag;
 use crate::dag::Leaf;
 use crate::dag::NodeId;
@@ -84,13 +85,8 @@ fn holds(zeros: &mut Zeros, advanced: &[Option<usize>], solver: &Solver) -> bool
 
     let mut wrong: Vec<Leaf> = Vec::new();
     for divisor in vanishing_divisors(&dag, &solver.dag, &grafted) {
-        let in_divisor = solver.dag.reachable(&[divisor]);
-        let members = members(zeros).filter(|leaf| {
-            let is_it = |n: &NodeId| *solver.dag.node(*n) == crate::dag::Node::Leaf(*leaf);
-            let nodes = (0..in_divisor.len() as u32).map(NodeId);
-            nodes.filter(|n| in_divisor[n.index()]).any(|n| is_it(&n))
-        });
-        wrong.extend(members);
+        let inputs = leaves(&solver.dag, &[divisor]).into_iter();
+        wrong.extend(inputs.filter(|leaf| zeros.contain(*leaf)));
     }
     wrong.extend(members(zeros).filter(|leaf| match *leaf {
         Leaf::State(i) => !vanishes(solver.next[i]),

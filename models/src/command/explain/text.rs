@@ -63,6 +63,15 @@ impl fmt::Display for Form {
         }
         write!(f, "{table}")?;
         writeln!(f, "  (additions / multiplications / divisions / functions)")?;
+        let dense = |column: &&Column| column.iterated > 1;
+        if let Some(column) = self.columns.iter().rfind(dense) {
+            let n = column.iterated;
+            writeln!(
+                f,
+                "  in {}, an iteration also solves a linear system of {n}",
+                column.title
+            )?;
+        }
         match &self.eliminated {
             Some(eliminated) => write!(f, "{eliminated}"),
             None => Ok(()),
