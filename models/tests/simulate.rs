@@ -178,3 +178,42 @@ fn rows_and_picture_need_two_files() {
     let outcome = residua_in(&folder("one_file"), line);
     assert_refused(&outcome, 2, &["--out and --plot name the same file"]);
 }
+
+#[test]
+fn a_scene_has_its_own_step_end_and_columns() {
+    let outcome = succeed("simulate paper_spatial");
+    let header = outcome.stdout.lines().next();
+    assert_eq!(header, Some("t,ω.x,ω.y,ω.z,Γ3.x,Γ3.y,Γ3.z,energy"));
+    let found = rows(&outcome.stdout);
+    assert_eq!(found.len(), 1001);
+    assert!((found[1][0] - 0.1).abs() < 1e-15);
+    let run = "simulate spatial_group --step 0.1 --until 1";
+    let expected = rows(&succeed(run).stdout);
+    for (found, expected) in found.iter().zip(&expected) {
+        // t and ω come first, then Γ1 and Γ2, which the scene has not.
+        for (a, b) in found[..4].iter().zip(&expected[..4]) {
+            assert!((a - b).abs() < 1e-11, "{a} {b}");
+        }
+    }
+    let csv = succeed("simulate paper_spatial --step 0.5 --until 1").stdout;
+    assert_eq!(rows(&csv).len(), 3);
+    // R(3,1) and its kin are in the state and nobody asked for them.
+    let header = succeed("simulate paper_recursive --until 1").stdout;
+    let header = header.lines().next();
+    assert_eq!(
+        header,
+        Some("t,ω.x,ω.y,ω.z,vertical.x,vertical.y,vertical.z,energy")
+    );
+    let start = "simulate paper_recursive --until 1 --start R(3,1)=0.5";
+    assert_eq!(rows(&succeed(start).stdout)[0][4], 0.5);
+}
+
+#[test]
+fn a_scene_refuses_what_it_has_left_out() {
+    let outcome = residua("simulate paper_spatial --set m=3");
+    assert_refused(&outcome, 2, &["does without `m`", "fixed as `10`"]);
+    let outcome = residua("simulate paper_spatial --start Γ1=[1,0,0]");
+    assert_refused(&outcome, 2, &["does without `Γ1`", "no kept quantity"]);
+    let outcome = residua("simulate paper_spatial --start ω.z=1 --quiet");
+    assert_refused(&outcome, 1, &["start value ω.z is 1", "relies on 0"]);
+}

@@ -58,4 +58,6 @@ static NOTHING: Description = Description {
     solvers: &[],
     claims: &[],
     has_flow: false,
+    counts: &[],
+    scene: None,
 };

@@ -7,6 +7,7 @@ mod describe;
 mod diagnose;
 mod errata;
 mod expand;
+mod explain;
 mod expression;
 mod failure;
 mod list;
@@ -38,6 +39,7 @@ enum Verb {
     List(list::List),
     Simulate(simulate::Simulate),
     Check(check::Check),
+    Explain(explain::Explain),
     Errata(errata::Errata),
     Expand(expand::Expand),
     Report(report::Report),
@@ -49,6 +51,7 @@ fn main() -> ExitCode {
         Verb::List(list) => list.run(),
         Verb::Simulate(simulate) => simulate.run(),
         Verb::Check(check) => check.run(),
+        Verb::Explain(explain) => explain.run(),
         Verb::Errata(errata) => errata.run(),
         Verb::Expand(expand) => expand.run(),
         Verb::Report(report) => report.run(),
