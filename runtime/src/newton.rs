@@ -13,7 +13,6 @@ use crate::scalar::Real;
 use crate::settings::MOST_GROWTH;
 use crate::settings::MOST_QUICK;
 use crate::settings::Settings;
-use crate::settings::Strategy;
 use crate::shifts::Shifts;
 
 /// Newton's method with its workspace, made once per run.
@@ -81,10 +80,7 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
             Some(solved) => solved,
             None => self.solve_thoroughly(scene, step, known, guess, statistics)?,
         };
-        // Without earlier steps there is no extrapolation, and nothing to trust.
-        if self.settings.strategy != Strategy::Plain {
-            self.shifts.push(&x, &guess);
-        }
+        self.shifts.push(&x, &guess);
         Ok((x, report))
     }
 

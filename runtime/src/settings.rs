@@ -46,8 +46,6 @@ pub enum Strategy {
     Core,
     /// All.
     Full,
-    /// All, each step from its plain guess and by pivoted eliminations: Newton's method as in a textbook, to compare with.
-    Plain,
 }
 
 /// Share of the tolerance that the estimated error may take before the last correction is spared. Larger

@@ -107,7 +107,7 @@ impl<S: Solvable<T>, T: Real> Method<T> for Implicit<S, T> {
         state: &mut StateArray<S, T>,
         statistics: &mut Statistics,
     ) -> Result<Report, Fault> {
-        if self.core.newton.settings.strategy != Strategy::Core {
+        if self.core.newton.settings.strategy == Strategy::Full {
             return self.all_unknowns(t, state, statistics);
         }
         let core = self.core.advance(t, state, &mut self.lost, statistics);

@@ -6,7 +6,6 @@
 //! | by hand | nalgebra with the Jacobian derived by hand, static LU, no tricks |
 //! | nalgebra | the same with the generated dense pair |
 //! | num-dual | the same with the Jacobian by forward-mode dual numbers, a pass per unknown |
-//! | plain | our stepper as in a textbook: all unknowns, from the known state, pivoted eliminations |
 //! | dense | our stepper on all unknowns |
 //! | structured | our stepper, as it comes |
 //!
@@ -101,7 +100,6 @@ where
     vec![
         Lane::new("nalgebra", straightforward::<S, f64, N>),
         Lane::new("num-dual", straightforward::<S, Dual64, N>),
-        Lane::new("plain", || stepper::<S>(Strategy::Plain)),
         Lane::new("dense", || stepper::<S>(Strategy::Full)),
         Lane::new("structured", || stepper::<S>(Strategy::Core)),
     ]

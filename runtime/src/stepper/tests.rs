@@ -43,22 +43,6 @@ fn a_pendulum_step_takes_one_iteration_once_its_start_is_known() {
     assert_eq!(statistics.flows, 0);
 }
 
-#[test]
-fn a_plain_step_starts_from_the_known_state() {
-    let settings = Settings {
-        strategy: crate::Strategy::Plain,
-        ..Settings::default()
-    };
-    let mut plain = pendulum::<f64>([1.0, 1.0], SMALL).with_settings(settings);
-    let mut usual = pendulum::<f64>([1.0, 1.0], SMALL);
-    advance(&mut plain, 500);
-    advance(&mut usual, 500);
-    assert!(plain.statistics().iterations >= 1000);
-    for (a, b) in plain.state_array().iter().zip(usual.state_array()) {
-        assert!((a - b).abs() < 1e-12, "{a} {b}");
-    }
-}
-
 /// One correction is enough only where it is: the state is as if iterated to the floor.
 #[test]
 fn a_step_of_one_iteration_is_as_good_as_one_to_the_floor() {
