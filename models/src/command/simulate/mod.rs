@@ -17,7 +17,7 @@ use plan::{Plan, Scheme, plan};
 use recorder::Recorder;
 use residua::description::Description;
 use residua::erased::{Run, Sample};
-use residua::{Catalogued, Settings, Statistics};
+use residua::{Catalogued, Settings, Statistics, Strategy};
 use residua_models::find;
 use rows::Rows;
 use std::fs::File;
@@ -61,6 +61,12 @@ pub struct Simulate {
         allow_negative_numbers = true
     )]
     tolerance: f64,
+    /// Which unknowns Newton's method iterates on; those that enter linearly need not be
+    #[arg(long, value_enum, default_value_t = StrategyName::Core)]
+    strategy: StrategyName,
+    /// Let the rounding of the sums of increments add up
+    #[arg(long)]
+    uncompensated: bool,
     /// File for the rows, as CSV [default: standard output, unless there is a --plot]
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
@@ -76,6 +82,23 @@ pub struct Simulate {
 enum SchemeName {
     Newton,
     Rk4,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum StrategyName {
+    /// Those that are left after elimination, and all where that fails
+    Core,
+    /// All
+    Full,
+}
+
+impl From<StrategyName> for Strategy {
+    fn from(name: StrategyName) -> Self {
+        match name {
+            StrategyName::Core => Strategy::Core,
+            StrategyName::Full => Strategy::Full,
+        }
+    }
 }
 
 impl Simulate {
@@ -139,6 +162,8 @@ impl Simulate {
             every: self.every,
             settings: Settings {
                 tolerance: self.tolerance,
+                strategy: self.strategy.into(),
+                compensated: !self.uncompensated,
                 ..Settings::default()
             },
         };
@@ -207,8 +232,15 @@ fn create(path: &Path) -> Result<File, Failure> {
 fn pace(plan: &Plan, statistics: &Statistics, elapsed: Duration) -> String {
     let Plan { steps, step, .. } = *plan;
     let end = notation::number(steps as f64 * step);
-    let iterations = iterations(statistics).map_or(String::new(), |text| format!(", {text}"));
-    format!("{steps} steps of {step} to t = {end} in {elapsed:.1?}{iterations}")
+    let mut text = format!("{steps} steps of {step} to t = {end} in {elapsed:.1?}");
+    if let Some(iterations) = iterations(statistics) {
+        text = format!("{text}, {iterations}");
+    }
+    match statistics.fallbacks {
+        0 => text,
+        1 => format!("{text}, 1 step with all unknowns, where the core could not be trusted"),
+        n => format!("{text}, {n} steps with all unknowns, where the core could not be trusted"),
+    }
 }
 
 fn iterations(statistics: &Statistics) -> Option<String> {
