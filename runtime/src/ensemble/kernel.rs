@@ -1,0 +1,286 @@
+//! What a group needs of a model: one Newton correction of all its trajectories, as a loop over them.
+//!
+//! The body of the loop is the code that the generator has emitted, without a branch, on [`Lanes`]: the compiler
+//! makes vector instructions of it, once for each instruction set, and the machine is asked which to run.
+
+use core::marker::PhantomData;
+use std::boxed::Box;
+
+use pulp::Arch;
+use pulp::NullaryFnOnce;
+
+use super::rows::Row;
+use super::rows::WIDTH;
+use super::rows::lanes;
+use super::rows::set_lanes;
+use crate::description::Unknown;
+use crate::erased::parameters;
+use crate::erased::state;
+use crate::error::InvalidRun;
+use crate::error::StepError;
+use crate::lanes::Lanes;
+use crate::linear::Solvable;
+use crate::model::Model;
+use crate::model::Record;
+use crate::model::System;
+use crate::report::Statistics;
+use crate::scalar::Scalar;
+use crate::settings::MOST_GROWTH;
+use crate::settings::Settings;
+use crate::stepper::Stepper;
+
+/// Trajectories in one [`Lanes`]. One is enough: the loop over them is what becomes vector instructions.
+const N: usize = 1;
+
+/// A system that an ensemble can advance. Nothing implements it by hand: generated systems have it.
+pub trait Wide: Solvable<f64> + System<Lanes<N>> {}
+
+impl<S: Solvable<f64> + System<Lanes<N>>> Wide for S {}
+
+/// Numbers of components.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Sizes {
+    pub(crate) scene: usize,
+    pub(crate) state: usize,
+    pub(crate) parameters: usize,
+    pub(crate) unknowns: usize,
+}
+
+/// Where a correction starts.
+pub(crate) struct Start<'a> {
+    pub(crate) t: f64,
+    pub(crate) scene: &'a [Row],
+    pub(crate) state: &'a [Row],
+    /// How far the unknowns lie from their guesses.
+    pub(crate) shift: &'a [Row],
+    /// Corrections up to here are the last ones.
+    pub(crate) enough: &'a [Row],
+    /// 1 for lanes that nobody looks at, 0 for others.
+    pub(crate) idle: &'a Row,
+}
+
+/// What a correction leads to.
+pub(crate) struct Landing<'a> {
+    /// How far the unknowns lie from their guesses.
+    pub(crate) shift: &'a mut [Row],
+    /// The unknowns.
+    pub(crate) x: &'a mut [Row],
+    /// What was subtracted from them.
+    pub(crate) correction: &'a mut [Row],
+    /// The state after the step.
+    pub(crate) next: &'a mut [Row],
+    /// 1 where all is finite and not magnified from rounding, else 0.
+    pub(crate) sound: &'a mut Row,
+    /// 1 where that is so and the correction is enough, else 0.
+    pub(crate) within: &'a mut Row,
+}
+
+/// The trajectory of one lane by itself, in `f64`, with all that a [`Stepper`] can do.
+pub(crate) trait Alone {
+    fn step(&mut self) -> Result<(), StepError>;
+    fn state(&self) -> &[f64];
+    fn statistics(&self) -> Statistics;
+}
+
+impl<S: Solvable<f64>> Alone for Stepper<S> {
+    fn step(&mut self) -> Result<(), StepError> {
+        Stepper::step(self).map(drop)
+    }
+
+    fn state(&self) -> &[f64] {
+        self.state_array().as_ref()
+    }
+
+    fn statistics(&self) -> Statistics {
+        Stepper::statistics(self)
+    }
+}
+
+/// Where a lane leaves its group.
+pub(crate) struct Departure<'a> {
+    pub(crate) parameters: &'a [f64],
+    pub(crate) state: &'a [f64],
+    pub(crate) h: f64,
+    pub(crate) t0: f64,
+    /// Steps taken since t₀.
+    pub(crate) steps: u64,
+    pub(crate) settings: Settings<f64>,
+}
+
+/// A model, as groups see it.
+pub(crate) trait Kernel: Sync {
+    fn sizes(&self) -> Sizes;
+    /// The blocks of the unknowns.
+    fn blocks(&self) -> &'static [Unknown];
+    /// Corrections are in closed form; without, every trajectory goes alone.
+    fn has_correction(&self) -> bool;
+    /// Overwrites `out` with the scene of one trajectory.
+    fn scene(&self, parameters: &[f64], h: f64, out: &mut [f64]);
+    /// Corrects the unknowns of all lanes once; true if that is enough for all but the idle.
+    fn correct(&self, arch: Arch, start: Start, landing: Landing) -> bool;
+    /// One trajectory by itself.
+    fn alone(&self, departure: &Departure) -> Result<Box<dyn Alone>, InvalidRun>;
+}
+
+/// The [`Kernel`] of `S`.
+pub(crate) struct Emitted<S>(PhantomData<fn() -> S>);
+
+impl<S> Emitted<S> {
+    /// The only value.
+    pub(crate) const NEW: Self = Self(PhantomData);
+}
+
+/// What is left of `S` after elimination, on `T`.
+type Core<S, T> = <S as System<T>>::Core;
+
+impl<S: Wide + 'static> Kernel for Emitted<S> {
+    fn sizes(&self) -> Sizes {
+        let parameters = <<S as System<f64>>::Model as Model<f64>>::Parameters::default();
+        let state = <<S as System<f64>>::Model as Model<f64>>::start(&parameters);
+        let scene = Core::<S, f64>::scene(&parameters, 1.0);
+        Sizes {
+            scene: scene.to_array().as_ref().len(),
+            state: state.to_array().as_ref().len(),
+            parameters: parameters.to_array().as_ref().len(),
+            unknowns: Core::<S, f64>::zeros().0.as_ref().len(),
+        }
+    }
+
+    fn blocks(&self) -> &'static [Unknown] {
+        Core::<S, f64>::UNKNOWNS
+    }
+
+    fn has_correction(&self) -> bool {
+        Core::<S, Lanes<N>>::HAS_CORRECTION
+    }
+
+    fn scene(&self, parameters: &[f64], h: f64, out: &mut [f64]) {
+        let parameters = self::parameters::<<S as System<f64>>::Model, f64>(parameters);
+        let scene = Core::<S, f64>::scene(&parameters, h).to_array();
+        out.copy_from_slice(scene.as_ref());
+    }
+
+    fn correct(&self, arch: Arch, start: Start, landing: Landing) -> bool {
+        arch.dispatch(Correct::<S> {
+            start,
+            landing,
+            system: PhantomData,
+        })
+    }
+
+    fn alone(&self, departure: &Departure) -> Result<Box<dyn Alone>, InvalidRun> {
+        let parameters = self::parameters::<<S as System<f64>>::Model, f64>(departure.parameters);
+        let state = self::state::<<S as System<f64>>::Model, f64>(&parameters, departure.state);
+        let stepper = Stepper::<S>::new(parameters, state, departure.h)?
+            .at(departure.t0)?
+            .after(departure.steps);
+        Ok(Box::new(stepper.with_settings(departure.settings)))
+    }
+}
+
+/// [`correct`] with its arguments, for [`Arch::dispatch`].
+struct Correct<'a, S> {
+    start: Start<'a>,
+    landing: Landing<'a>,
+    system: PhantomData<S>,
+}
+
+impl<S: Wide> NullaryFnOnce for Correct<'_, S> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn call(self) -> bool {
+        let Landing {
+            shift,
+            x,
+            correction,
+            next,
+            sound,
+            within,
+        } = self.landing;
+        correct::<Core<S, Lanes<N>>>(&self.start, shift, x, correction, next, sound, within)
+    }
+}
+
+/// x = guess + shift, c = J(x)⁻¹ r(x), x ← x − c, and the state after that.
+///
+/// What is written is passed one by one: only references that are arguments are known not to overlap, and only with
+/// that known is the loop taken several lanes at a time.
+#[inline(always)]
+#[expect(clippy::too_many_arguments, reason = "see above")]
+fn correct<C: System<Lanes<N>>>(
+    start: &Start,
+    shift: &mut [Row],
+    x: &mut [Row],
+    correction: &mut [Row],
+    next: &mut [Row],
+    sound: &mut Row,
+    within: &mut Row,
+) -> bool {
+    // Only to say how many components there are.
+    let parameters = <C::Model as Model<Lanes<N>>>::Parameters::default();
+    let scenes = C::scene(&parameters, Lanes::constant(1.0)).to_array();
+    let states = C::Model::start(&parameters).to_array();
+    let (unknowns, _) = C::zeros();
+
+    let n = unknowns.as_ref().len();
+    let (shifts, enough) = (&start.shift[..n], &start.enough[..n]);
+    let (shift, x, correction) = (&mut shift[..n], &mut x[..n], &mut correction[..n]);
+    let n_states = states.as_ref().len();
+    let next = &mut next[..n_states];
+    let (scene, state) = (&start.scene[..scenes.as_ref().len()], &start.state[..n_states]);
+    let mut open = 0;
+    for i in 0..WIDTH / N {
+        let scene = C::Scene::from_array(columns(scenes, scene, i));
+        let step = C::step(&scene, Lanes::constant(start.t), &columns(states, state, i));
+        let guess = C::guess(&scene, &step);
+        let mut at = guess;
+        for (at, shift) in at.as_mut().iter_mut().zip(shifts) {
+            *at = *at + lanes(shift, i);
+        }
+
+        let (c, growth) = C::correction(&scene, &step, &at);
+        let mut is_within = [true; N];
+        for j in 0..n {
+            let (c, enough) = (c.as_ref()[j], lanes::<N>(&enough[j], i));
+            let corrected = at.as_ref()[j] - c;
+            at.as_mut()[j] = corrected;
+            set_lanes(&mut correction[j], i, c);
+            set_lanes(&mut x[j], i, corrected);
+            set_lanes(&mut shift[j], i, corrected - guess.as_ref()[j]);
+            for k in 0..N {
+                is_within[k] &= c.0[k].abs() <= enough.0[k];
+            }
+        }
+
+        let eliminated = C::growth(&scene, &step, &at);
+        let after = C::next(&scene, &step, &at);
+        let mut total = Lanes::constant(0.0);
+        for (next, after) in next.iter_mut().zip(after.as_ref()) {
+            set_lanes(next, i, *after);
+            total = total + *after;
+        }
+        let idle = lanes::<N>(start.idle, i);
+        for k in 0..N {
+            let at = i + k * (WIDTH / N);
+            // Any NaN or infinity is one in the sum.
+            let is_sound = (growth.0[k] <= MOST_GROWTH)
+                & (eliminated.0[k] <= MOST_GROWTH)
+                & (total.0[k].abs() < f64::INFINITY);
+            let is_enough = is_sound & is_within[k];
+            sound[at] = if is_sound { 1.0 } else { 0.0 };
+            within[at] = if is_enough { 1.0 } else { 0.0 };
+            open |= u64::from(!is_enough & (idle.0[k] == 0.0));
+        }
+    }
+    open == 0
+}
+
+/// Column `i` of `rows`, in an array like `shape`.
+#[inline(always)]
+fn columns<A: AsMut<[Lanes<N>]>>(mut shape: A, rows: &[Row], i: usize) -> A {
+    for (component, row) in shape.as_mut().iter_mut().zip(rows) {
+        *component = lanes(row, i);
+    }
+    shape
+}
