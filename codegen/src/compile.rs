@@ -4,6 +4,7 @@ use crate::ast::ClaimKind;
 use crate::ast::Form;
 use crate::ast::Name;
 use crate::ast::TypeExpr;
+use crate::change::change;
 use crate::check::check;
 use crate::check::check_value;
 use crate::check::stand_in;
@@ -245,7 +246,7 @@ fn discrete(model: &Model, form: Form) -> Result<(System, Vec<Option<Finding>>),
         next: &next,
         blocks: &blocks,
     };
-    let core = eliminate(&mut dag, &full).map(|mut core| {
+    let mut core = eliminate(&mut dag, &full).map(|mut core| {
         // The product is less linear than the quotient: only of one equation is a division much of the work.
         if core.residual.len() == 1 {
             core.residual = clear(&mut dag, &core.residual);
@@ -258,6 +259,11 @@ fn discrete(model: &Model, form: Form) -> Result<(System, Vec<Option<Finding>>),
         let own: Vec<Entry> = own.collect();
         (core, own)
     });
+    let adds = form == Form::Increment;
+    if let Some((core, _)) = &mut core {
+        core.change = change(&mut dag, &core.next).filter(|_| adds);
+    }
+    let change = change(&mut dag, &next).filter(|_| adds);
     let correction = match &core {
         Some((core, jacobian)) => correct(&mut dag, &core.residual, jacobian),
         None => correct(&mut dag, &residual, &jacobian),
@@ -271,6 +277,7 @@ fn discrete(model: &Model, form: Form) -> Result<(System, Vec<Option<Finding>>),
             jacobian,
             guess,
             next,
+            change,
             blocks,
             core,
             correction,

@@ -25,13 +25,11 @@ pub fn correct(dag: &mut Dag, residual: &[NodeId], jacobian: &[Entry]) -> Option
         a[entry.row][entry.col] = entry.node;
     }
     let solution = solve(dag, &a, residual)?;
-    // A system of one has no pivot to choose.
-    let growth = match n {
-        1 => zero,
-        _ => growth(dag, &solution.divisors),
-    };
+    // Where an equation has one unknown there is no pivot to choose.
+    let mut chosen = solution.divisors;
+    chosen.retain(|divisor| !divisor.is_entry);
     Some(Correction {
         x: solution.x,
-        growth,
+        growth: growth(dag, &chosen),
     })
 }

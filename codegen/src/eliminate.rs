@@ -92,6 +92,7 @@ pub fn eliminate(dag: &mut Dag, full: &Full) -> Option<Core> {
         residual,
         guess: unknowns.iter().map(|&col| full.guess[col]).collect(),
         next,
+        change: None,
         growth: growth(dag, &divisors),
         unknowns,
     })

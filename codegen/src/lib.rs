@@ -17,6 +17,7 @@
 //! the [`dag::Dag`] in normal form from the start, so derivatives never grow first and shrink later.
 
 pub mod ast;
+pub mod change;
 pub mod check;
 pub mod claims;
 pub mod clear;

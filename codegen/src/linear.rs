@@ -31,6 +31,8 @@ pub struct Divisor {
     value: NodeId,
     /// The same sum of products with every entry replaced by its magnitude: its error is up to so many rounding errors.
     size: NodeId,
+    /// It is an entry of the matrix as it stands.
+    pub is_entry: bool,
 }
 
 /// Σ size / |value| over the divisors that can cancel: how many times larger than rounding an error may get by the
@@ -102,7 +104,11 @@ fn solve_block(dag: &mut Dag, a: &Matrix, b: &Matrix, divisors: &mut Vec<Divisor
         1 => {
             let value = a.entries[0];
             let size = sum_of_magnitudes(dag, value);
-            divisors.push(Divisor { value, size });
+            divisors.push(Divisor {
+                value,
+                size,
+                is_entry: true,
+            });
             vec![dag.div(b.entries[0], a.entries[0])]
         }
         2 | 3 => cramer(dag, a, b, divisors),
@@ -134,6 +140,7 @@ fn cramer(dag: &mut Dag, a: &Matrix, b: &Matrix, divisors: &mut Vec<Divisor>) ->
     divisors.push(Divisor {
         value: determinant,
         size,
+        is_entry: false,
     });
     let above = a.adjugate(dag).product(dag, b);
     above.map(|e| dag.div(e, determinant)).entries
@@ -157,7 +164,11 @@ fn eliminate(
         b.swap(k, pivot);
         let value = a[k][k];
         let size = sum_of_magnitudes(dag, value);
-        divisors.push(Divisor { value, size });
+        divisors.push(Divisor {
+            value,
+            size,
+            is_entry: false,
+        });
         for i in k + 1..n {
             let factor = dag.div(a[i][k], a[k][k]);
             let pivot_row = a[k].clone();

@@ -69,7 +69,10 @@ fn solver(system: &System) -> Solver {
     let core = system.core.as_ref().map(|(core, jacobian)| {
         let kernels = kernels(&core.residual, jacobian, &core.guess, &core.next);
         let growth = ("growth", Rate::Iteration, vec![core.growth]);
-        let kernels = kernels.into_iter().chain([growth]);
+        let kernels = kernels
+            .into_iter()
+            .chain([growth])
+            .chain(adding(&core.change));
         let kernels: Vec<Wanted> = kernels.chain(correction.clone()).collect();
         Box::new(Solver {
             form: system.form,
@@ -86,7 +89,8 @@ fn solver(system: &System) -> Solver {
         &system.next,
     );
     let correction = correction.filter(|_| core.is_none());
-    let kernels: Vec<Wanted> = kernels.into_iter().chain(correction).collect();
+    let kernels = kernels.into_iter().chain(adding(&system.change));
+    let kernels: Vec<Wanted> = kernels.chain(correction).collect();
     Solver {
         form: system.form,
         pattern: system.jacobian.iter().map(|e| (e.row, e.col)).collect(),
@@ -94,6 +98,11 @@ fn solver(system: &System) -> Solver {
         unknowns: (0..system.residual.len()).collect(),
         core,
     }
+}
+
+fn adding(change: &Option<Vec<NodeId>>) -> Option<Wanted> {
+    let change = change.as_ref()?;
+    Some(("change", Rate::Iteration, change.clone()))
 }
 
 fn kernels(

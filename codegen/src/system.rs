@@ -97,6 +97,8 @@ pub struct System {
     pub guess: Vec<NodeId>,
     /// The state after the step.
     pub next: Vec<NodeId>,
+    /// What it adds to the state, where that is all it does and the unknowns are increments.
+    pub change: Option<Vec<NodeId>>,
     /// Block-triangular order.
     pub blocks: Vec<Block>,
     /// What is left to iterate on, if that is less, and the structural non-zeros of its Jacobian, row by row;
@@ -119,6 +121,8 @@ pub struct Core {
     pub guess: Vec<NodeId>,
     /// The state after the step.
     pub next: Vec<NodeId>,
+    /// What it adds to the state, as for the whole solver.
+    pub change: Option<Vec<NodeId>>,
     /// How many times larger than rounding the error of the eliminated unknowns may be; the number 0 if no
     /// divisor can cancel.
     pub growth: NodeId,

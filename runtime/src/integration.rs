@@ -13,6 +13,7 @@ use crate::report::History;
 use crate::report::Report;
 use crate::report::Statistics;
 use crate::scalar::Real;
+use crate::scalar::all_finite;
 use crate::scalar::first_not_finite;
 
 /// The flat state of a model, `[T; n]`.
@@ -24,13 +25,13 @@ pub trait Method<T: Real> {
     type Model: Model<T>;
     /// Computes what depends on the parameters and the step `h` only.
     fn new(parameters: &<Self::Model as Model<T>>::Parameters, h: T) -> Self;
-    /// The state at t + h, checked by the caller for being finite.
+    /// Takes `state` from t to t + h. Where that fails, or gives a state that is not finite, `state` is as it was.
     fn advance(
         &mut self,
         t: T,
-        state: &FlatState<Self::Model, T>,
+        state: &mut FlatState<Self::Model, T>,
         statistics: &mut Statistics,
-    ) -> Result<(FlatState<Self::Model, T>, Report), Fault>;
+    ) -> Result<Report, Fault>;
     /// The corrections of the last step.
     fn history(&self) -> History;
     /// The equations that faults refer to, for implicit methods.
@@ -109,23 +110,20 @@ impl<M: Method<T>, T: Real> Integration<M, T> {
 
     /// Advances by one step.
     ///
-    /// Errors: see [`Failure`]. A failed step leaves time and state as they were.
+    /// Errors: see [`Failure`](crate::Failure). A failed step leaves time and state as they were.
+    #[inline]
     pub fn step(&mut self) -> Result<Report, StepError> {
         let t = self.t();
-        let (next, report) = self
+        match self
             .method
-            .advance(t, &self.state, &mut self.statistics)
-            .map_err(|fault| self.error(fault))?;
-        if let Some((position, value)) = first_not_finite(next.as_ref()) {
-            return Err(self.error(Fault {
-                failure: Failure::NotFinite,
-                place: Place::State(position),
-                value,
-            }));
+            .advance(t, &mut self.state, &mut self.statistics)
+        {
+            Ok(report) => {
+                self.statistics.steps += 1;
+                Ok(report)
+            }
+            Err(fault) => Err(self.error(fault)),
         }
-        self.state = next;
-        self.statistics.steps += 1;
-        Ok(report)
     }
 
     /// The time t₀ + k h after k steps: one rounded product, never a sum of k steps.
@@ -163,6 +161,7 @@ impl<M: Method<T>, T: Real> Integration<M, T> {
         self.statistics
     }
 
+    #[cold]
     fn error(&self, fault: Fault) -> StepError {
         StepError {
             fault,
@@ -173,4 +172,18 @@ impl<M: Method<T>, T: Real> Integration<M, T> {
             solver: M::solver(),
         }
     }
+}
+
+/// The state, or the first of its components that is not finite.
+#[inline]
+pub(crate) fn require_finite<T: Real, X: AsRef<[T]>>(state: X) -> Result<X, Fault> {
+    if all_finite(state.as_ref()) {
+        return Ok(state);
+    }
+    let (position, value) = first_not_finite(state.as_ref()).unwrap_or((0, f64::NAN));
+    Err(Fault {
+        failure: Failure::NotFinite,
+        place: Place::State(position),
+        value,
+    })
 }

@@ -109,6 +109,12 @@ pub trait System<T: Scalar> {
     }
     /// The state after the step.
     fn next(scene: &Self::Scene, step: &Self::Step, x: &Self::Unknowns) -> StateArray<Self, T>;
+    /// [`System::change`] is there.
+    const HAS_CHANGE: bool = false;
+    /// The state after the step less that before, where it is computed without the state it is added to.
+    fn change(scene: &Self::Scene, step: &Self::Step, x: &Self::Unknowns) -> StateArray<Self, T> {
+        Self::next(scene, step, x)
+    }
     /// How many times larger than rounding the error of eliminated unknowns may be: Σ |terms| / |Σ terms| over
     /// what was divided by. 0 where nothing can cancel.
     fn growth(_scene: &Self::Scene, _step: &Self::Step, _x: &Self::Unknowns) -> T {

@@ -68,7 +68,13 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
         let guess = S::guess(scene, step);
         if guess.as_ref().is_empty() {
             let (iterations, success) = (0, Success::Converged);
-            return Ok((guess, Report { iterations, success }));
+            return Ok((
+                guess,
+                Report {
+                    iterations,
+                    success,
+                },
+            ));
         }
         let (x, report) = match self.solve_quickly(scene, step, guess, statistics) {
             Some(solved) => solved,
@@ -107,7 +113,13 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
             if self.is_enough(&correction) {
                 self.trust -= 1;
                 let success = Success::Converged;
-                return Some((x, Report { iterations, success }));
+                return Some((
+                    x,
+                    Report {
+                        iterations,
+                        success,
+                    },
+                ));
             }
         }
         None

@@ -5,6 +5,7 @@ use crate::error::Fault;
 use crate::integration::FlatState;
 use crate::integration::Integration;
 use crate::integration::Method;
+use crate::integration::require_finite;
 use crate::model::Flow;
 use crate::report::History;
 use crate::report::Report;
@@ -37,9 +38,9 @@ impl<M: Flow<T>, T: Real> Method<T> for Explicit<M, T> {
     fn advance(
         &mut self,
         t: T,
-        x: &FlatState<M, T>,
+        x: &mut FlatState<M, T>,
         statistics: &mut Statistics,
-    ) -> Result<(FlatState<M, T>, Report), Fault> {
+    ) -> Result<Report, Fault> {
         let (scene, h) = (&self.scene, self.h);
         let half = h / T::constant(2.0);
         let k1 = M::flow(scene, t, x);
@@ -54,11 +55,11 @@ impl<M: Flow<T>, T: Real> Method<T> for Explicit<M, T> {
             let middle = two * (k2.as_ref()[i] + k3.as_ref()[i]);
             *next = *next + sixth * (k1.as_ref()[i] + middle + k4.as_ref()[i]);
         }
-        let report = Report {
+        *x = require_finite(next)?;
+        Ok(Report {
             iterations: 0,
             success: Success::Converged,
-        };
-        Ok((next, report))
+        })
     }
 
     fn history(&self) -> History {

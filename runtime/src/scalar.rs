@@ -73,6 +73,14 @@ pub trait Real: Scalar + PartialOrd {
     fn to_f64(self) -> f64;
 }
 
+/// False where one of them is infinite or NaN. All are looked at, so that there is one branch.
+#[inline]
+pub(crate) fn all_finite<T: Real>(values: &[T]) -> bool {
+    values
+        .iter()
+        .fold(true, |all, value| all & value.is_finite())
+}
+
 /// Position and value of the first number that is infinite or NaN.
 pub(crate) fn first_not_finite<T: Real>(values: &[T]) -> Option<(usize, f64)> {
     let position = values.iter().position(|value| !value.is_finite())?;

@@ -20,6 +20,9 @@ pub struct Settings<T = f64> {
     pub max_growths: usize,
     /// Which unknowns are iterated on.
     pub strategy: Strategy,
+    /// Whether what rounding takes from a state when its increment is added is kept and added to the next one, where the
+    /// unknowns are increments. Default true: rounding of the state no longer adds up over steps.
+    pub compensated: bool,
 }
 
 impl<T: Real> Default for Settings<T> {
@@ -30,6 +33,7 @@ impl<T: Real> Default for Settings<T> {
             max_iterations: 50,
             max_growths: 4,
             strategy: Strategy::Core,
+            compensated: true,
         }
     }
 }

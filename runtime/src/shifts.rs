@@ -107,43 +107,44 @@ impl<X: Copy> Shifts<X> {
         }
     }
 
-    /// Looks for the order that would have been best in the last steps, unknowns being measured by `scales`.
+    /// Looks for the order that would have been best in the last steps: the one that missed least, over all unknowns,
+    /// each measured by its scale.
     pub(crate) fn choose_order<T: Real>(&mut self, scales: &X)
     where
         X: AsRef<[T]> + AsMut<[T]>,
     {
+        let zero = T::constant(0.0);
+        let mut missed = [zero; HIGHEST + 1];
+        for (i, &scale) in scales.as_ref().iter().enumerate() {
+            if scale > zero {
+                let reciprocal = T::constant(1.0) / scale;
+                self.add_misses(i, reciprocal, &mut missed);
+            }
+        }
         self.order = self.seen.min(1);
-        let mut least = T::constant(f64::INFINITY);
-        for order in 1..=HIGHEST.min(self.seen.saturating_sub(COMPARED)) {
-            let missed = self.missed::<T>(order, scales);
-            if missed < least {
-                (self.order, least) = (order, missed);
+        for order in 2..=HIGHEST.min(self.seen.saturating_sub(COMPARED)) {
+            if missed[order] < missed[self.order] {
+                self.order = order;
             }
         }
     }
 
-    /// The most that the prediction of this order missed in the last steps, over all unknowns.
-    fn missed<T: Real>(&self, order: usize, scales: &X) -> T
+    /// Raises `missed[p]` to the largest ∇ᵖ of unknown `i` in the compared steps.
+    fn add_misses<T: Real>(&self, i: usize, reciprocal: T, missed: &mut [T; HIGHEST + 1])
     where
         X: AsRef<[T]> + AsMut<[T]>,
     {
-        let zero = T::constant(0.0);
-        let larger = |a: T, b: T| if b.abs() > a { b.abs() } else { a };
-        let mut most = zero;
-        for (i, &scale) in scales.as_ref().iter().enumerate() {
-            let shift = |ago: usize| self.ago(ago).as_ref()[i];
-            let difference = |ago: usize| {
-                let weights = WEIGHTS[order].iter().take(order).enumerate();
-                weights.fold(shift(ago), |sum, (j, weight)| {
-                    sum - T::constant(*weight) * shift(ago + j + 1)
-                })
-            };
-            if scale > zero {
-                let missed = (1..=COMPARED).map(difference).fold(zero, larger);
-                most = larger(most, missed / scale);
+        let mut differences: [T; HIGHEST + COMPARED] =
+            core::array::from_fn(|j| self.ago(j + 1).as_ref()[i] * reciprocal);
+        for (order, most) in missed.iter_mut().enumerate().skip(1) {
+            for j in 0..HIGHEST + COMPARED - order {
+                differences[j] = differences[j] - differences[j + 1];
+            }
+            for difference in &differences[..COMPARED] {
+                let size = difference.abs();
+                *most = if size > *most { size } else { *most };
             }
         }
-        most
     }
 }
 

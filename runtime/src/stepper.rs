@@ -1,19 +1,21 @@
 //! The implicit stepper: one Newton solve per step.
 
 use crate::description;
+use crate::error::Failure;
 use crate::error::Fault;
 use crate::integration::Integration;
 use crate::integration::Method;
+use crate::integration::require_finite;
 use crate::linear::Correctable;
 use crate::linear::Solvable;
 use crate::model::Model;
+use crate::model::Record;
 use crate::model::StateArray;
 use crate::newton::Newton;
 use crate::report::History;
 use crate::report::Report;
 use crate::report::Statistics;
 use crate::scalar::Real;
-use crate::scalar::first_not_finite;
 use crate::settings::MOST_GROWTH;
 use crate::settings::Settings;
 use crate::settings::Strategy;
@@ -26,6 +28,8 @@ pub type Stepper<S, T = f64> = Integration<Implicit<S, T>, T>;
 pub struct Implicit<S: Solvable<T>, T: Real> {
     core: Solver<S::Core, T>,
     full: Solver<S, T>,
+    /// What the sums of increments have lost to rounding, component by component.
+    lost: StateArray<S, T>,
     /// The last step was taken with all unknowns.
     fell_back: bool,
 }
@@ -53,21 +57,32 @@ impl<S: Correctable<T>, T: Real> Solver<S, T> {
         }
     }
 
-    /// The state after the step, and the growth of rounding in it.
+    /// Takes `state` one step on, unless what follows from the solution cannot be trusted.
     #[inline]
     fn advance(
         &mut self,
         t: T,
-        state: &StateArray<S, T>,
+        state: &mut StateArray<S, T>,
+        lost: &mut StateArray<S, T>,
         statistics: &mut Statistics,
-    ) -> Result<(StateArray<S, T>, T, Report), Fault> {
+    ) -> Result<Report, Fault> {
         let scene = &self.scene;
         let step = S::step(scene, t, state);
         let (x, report) = self
             .newton
             .solve(scene, &step, state.as_ref(), statistics)?;
-        let growth = S::growth(scene, &step, &x);
-        Ok((S::next(scene, &step, &x), growth, report))
+        // Not `growth > MOST_GROWTH`, which would trust NaN.
+        if !(S::growth(scene, &step, &x) <= T::constant(MOST_GROWTH)) {
+            return Err(self.newton.fault(Failure::Singular));
+        }
+        if S::HAS_CHANGE && self.newton.settings.compensated {
+            let change = S::change(scene, &step, &x);
+            let (sum, error) = compensated_sum(state, &change, lost);
+            (*state, *lost) = (require_finite(sum)?, error);
+        } else {
+            *state = require_finite(S::next(scene, &step, &x))?;
+        }
+        Ok(report)
     }
 }
 
@@ -75,33 +90,32 @@ impl<S: Solvable<T>, T: Real> Method<T> for Implicit<S, T> {
     type Model = S::Model;
 
     fn new(parameters: &<S::Model as Model<T>>::Parameters, h: T) -> Self {
+        let mut lost = S::Model::start(parameters).to_array();
+        lost.as_mut().fill(T::constant(0.0));
         Self {
             core: Solver::new(parameters, h),
             full: Solver::new(parameters, h),
+            lost,
             fell_back: false,
         }
     }
 
+    #[inline]
     fn advance(
         &mut self,
         t: T,
-        state: &StateArray<S, T>,
+        state: &mut StateArray<S, T>,
         statistics: &mut Statistics,
-    ) -> Result<(StateArray<S, T>, Report), Fault> {
+    ) -> Result<Report, Fault> {
         if self.core.newton.settings.strategy == Strategy::Full {
             return self.all_unknowns(t, state, statistics);
         }
-        let core = self.core.advance(t, state, statistics);
-        if !S::HAS_CORE {
-            return core.map(|(next, _, report)| (next, report));
+        let core = self.core.advance(t, state, &mut self.lost, statistics);
+        if core.is_err() && S::HAS_CORE {
+            return self.fall_back(t, state, statistics);
         }
-        match core {
-            Ok((next, growth, report)) if can_be_trusted(growth, &next) => {
-                self.fell_back = false;
-                Ok((next, report))
-            }
-            Ok(_) | Err(_) => self.fall_back(t, state, statistics),
-        }
+        self.fell_back = false;
+        core
     }
 
     fn history(&self) -> History {
@@ -121,9 +135,9 @@ impl<S: Solvable<T>, T: Real> Implicit<S, T> {
     fn fall_back(
         &mut self,
         t: T,
-        state: &StateArray<S, T>,
+        state: &mut StateArray<S, T>,
         statistics: &mut Statistics,
-    ) -> Result<(StateArray<S, T>, Report), Fault> {
+    ) -> Result<Report, Fault> {
         statistics.fallbacks += 1;
         // What one of them knows of earlier steps ends where the other takes over.
         self.core.newton.forget();
@@ -136,19 +150,31 @@ impl<S: Solvable<T>, T: Real> Implicit<S, T> {
     fn all_unknowns(
         &mut self,
         t: T,
-        state: &StateArray<S, T>,
+        state: &mut StateArray<S, T>,
         statistics: &mut Statistics,
-    ) -> Result<(StateArray<S, T>, Report), Fault> {
+    ) -> Result<Report, Fault> {
         self.fell_back = true;
-        let (next, _, report) = self.full.advance(t, state, statistics)?;
-        Ok((next, report))
+        self.full.advance(t, state, &mut self.lost, statistics)
     }
 }
 
-/// False for NaN.
+/// state + (change + lost) rounded, and what the rounding lost (Møller 1965; the error-free sum of Knuth,
+/// *The Art of Computer Programming* 2, 4.2.2, theorem B): the error of many sums is that of one.
 #[inline]
-fn can_be_trusted<T: Real>(growth: T, next: &impl AsRef<[T]>) -> bool {
-    growth <= T::constant(MOST_GROWTH) && first_not_finite(next.as_ref()).is_none()
+fn compensated_sum<T: Real, X: AsRef<[T]> + AsMut<[T]> + Copy>(
+    state: &X,
+    change: &X,
+    lost: &X,
+) -> (X, X) {
+    let (mut sums, mut errors) = (*state, *lost);
+    let results = sums.as_mut().iter_mut().zip(errors.as_mut());
+    for ((sum, error), change) in results.zip(change.as_ref()) {
+        let (x, y) = (*sum, *change + *error);
+        *sum = x + y;
+        let part = *sum - x;
+        *error = (x - (*sum - part)) + (y - part);
+    }
+    (sums, errors)
 }
 
 #[cfg(test)]

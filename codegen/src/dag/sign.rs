@@ -13,9 +13,8 @@ impl Dag {
         let Node::Sum(terms) = self.node(id) else {
             return false;
         };
-        let is_never_negative = |(c, node): &(BigRational, NodeId)| {
-            c.is_positive() && self.is_never_negative(*node)
-        };
+        let is_never_negative =
+            |(c, node): &(BigRational, NodeId)| c.is_positive() && self.is_never_negative(*node);
         let is_number = |(c, node): &(BigRational, NodeId)| {
             c.is_positive() && self.as_constant(*node).is_some_and(Signed::is_positive)
         };

@@ -106,7 +106,8 @@ fn system(
         residual_function(&mut context, role, n),
         jacobian_function(&mut context, solver, role, n),
         correction_function(&mut context, n),
-        next_function(&mut context, n),
+        state_function(&mut context, n, "next", "The state after the step"),
+        change_function(&mut context, n),
         more,
     ];
     let index = whole(index);
@@ -340,17 +341,29 @@ fn correction_function(context: &mut Context, n: &Literal) -> TokenStream {
     }
 }
 
-fn next_function(context: &mut Context, n: &Literal) -> TokenStream {
-    let body = context.body("next");
+fn change_function(context: &mut Context, n: &Literal) -> TokenStream {
+    if !context.has("change") {
+        return TokenStream::new();
+    }
+    let function = state_function(context, n, "change", "What the step adds to the state");
+    quote! {
+        const HAS_CHANGE: bool = true;
+        #function
+    }
+}
+
+/// A function from the unknowns to components of the state.
+fn state_function(context: &mut Context, n: &Literal, name: &str, what: &str) -> TokenStream {
+    let body = context.body(name);
     let (scene_type, step_type) = (context.scene.ty(), context.step.ty());
     let n_states = whole(context.model.n_states());
-    let doc = format!(" The state after the step: {}.", body.cost);
+    let doc = format!(" {what}: {}.", body.cost);
     let [scene, step, unknowns] = ["scene", "step", "unknowns"].map(|name| body.argument(name));
-    let (tokens, roots) = (&body.tokens, &body.roots);
+    let (tokens, roots, name) = (&body.tokens, &body.roots, identifier(name));
     quote! {
         #[doc = #doc]
         #[inline(always)]
-        fn next(#scene: &#scene_type, #step: &#step_type, #unknowns: &[T; #n]) -> [T; #n_states] {
+        fn #name(#scene: &#scene_type, #step: &#step_type, #unknowns: &[T; #n]) -> [T; #n_states] {
             #tokens
             [#(#roots),*]
         }

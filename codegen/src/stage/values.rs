@@ -83,6 +83,7 @@ impl Values {
             let number = self.intern(Op::Constant(coefficient.abs()));
             return (coefficient.signum(), number);
         }
+        let factors = self.with_equal_powers_joined(factors);
         let rates: Vec<Rate> = factors.iter().map(|f| self.rate(f.0)).collect();
         let last = fastest(rates.iter().copied());
         let mut slower = None;
@@ -108,6 +109,28 @@ impl Values {
         }
         let value = slower.expect("a product of at least one factor");
         (coefficient, value)
+    }
+
+    /// h² ω² as (h ω)²: no dearer, and its rounding error changes with ω. That of h² is the same in every step, and what
+    /// 1 + (h ω)² and h ω keep together, such as the length of a turned vector, would drift by it.
+    fn with_equal_powers_joined(&mut self, factors: &[(ValueId, i32)]) -> Vec<(ValueId, i32)> {
+        let mut joined: Vec<(ValueId, i32)> = Vec::with_capacity(factors.len());
+        let mut powers: Vec<i32> = factors.iter().map(|f| f.1).filter(|e| *e > 1).collect();
+        powers.sort_unstable();
+        powers.dedup();
+        for power in powers {
+            let own = factors.iter().filter(|f| f.1 == power);
+            let bases: Vec<(ValueId, i32)> = own.map(|f| (f.0, 1)).collect();
+            let rates = bases.iter().map(|f| self.rate(f.0));
+            if rates.clone().min() == rates.max() {
+                joined.extend(bases.iter().map(|f| (f.0, power)));
+            } else {
+                let (_, base) = self.product(BigRational::one(), &bases);
+                joined.push((base, power));
+            }
+        }
+        joined.extend(factors.iter().filter(|f| f.1 <= 1));
+        joined
     }
 
     /// Pushes the factors of vⁿ: the squares v, v², v⁴, … that the binary digits of n ask for.

@@ -263,6 +263,7 @@ mod next {
             jacobian[2][2] = four;
         }
         /// The state after the step: no operations.
+        #[inline]
         fn next(_scene: &Scene<T>, _step: &Step<T>, unknowns: &[T; 3]) -> [T; 3] {
             let [omega_next, Gamma_x_next, Gamma_y_next] = *unknowns;
             [omega_next, Gamma_x_next, Gamma_y_next]
@@ -287,10 +288,10 @@ mod next_core {
     /// What a run needs of the parameters and h.
     #[derive(Clone, Copy)]
     pub struct Scene<T> {
-        two_J: T,
         h: T,
         h_m_g_l: T,
         four_h: T,
+        two_J: T,
         h_squared: T,
         two_h_squared: T,
     }
@@ -299,10 +300,10 @@ mod next_core {
     pub struct Step<T> {
         omega: T,
         four_h_Gamma_y: T,
-        Gamma_x: T,
         sixteen_Gamma_x: T,
         h_Gamma_x: T,
         four_Gamma_y: T,
+        h_m_g_l_Gamma_x: T,
         h_squared_Gamma_x: T,
         four_h_Gamma_x: T,
         h_Gamma_y: T,
@@ -334,26 +335,26 @@ mod next_core {
             let [two, four] = [2.0, 4.0].map(T::constant);
             let h_squared = h * h;
             Scene {
-                two_J: two * J,
                 h,
                 h_m_g_l: h * m * g * l,
                 four_h: four * h,
+                two_J: two * J,
                 h_squared,
                 two_h_squared: two * h_squared,
             }
         }
-        /// Once per step: 9 multiplications.
+        /// Once per step: 10 multiplications.
         fn step(scene: &Scene<T>, _t: T, state: &[T; 3]) -> Step<T> {
-            let Scene { h, four_h, h_squared, .. } = *scene;
+            let Scene { h, h_m_g_l, four_h, h_squared, .. } = *scene;
             let [omega, Gamma_x, Gamma_y] = *state;
             let [four, sixteen] = [4.0, 16.0].map(T::constant);
             Step {
                 omega,
                 four_h_Gamma_y: four_h * Gamma_y,
-                Gamma_x,
                 sixteen_Gamma_x: sixteen * Gamma_x,
                 h_Gamma_x: h * Gamma_x,
                 four_Gamma_y: four * Gamma_y,
+                h_m_g_l_Gamma_x: h_m_g_l * Gamma_x,
                 h_squared_Gamma_x: h_squared * Gamma_x,
                 four_h_Gamma_x: four_h * Gamma_x,
                 h_Gamma_y: h * Gamma_y,
@@ -365,32 +366,34 @@ mod next_core {
             let Step { omega, .. } = *step;
             [omega]
         }
-        /// r(x), 1 equations after elimination: 8 additions, 9 multiplications, 1 division.
+        /// r(x), 1 equations after elimination: 8 additions, 8 multiplications.
         fn residual(
             scene: &Scene<T>,
             step: &Step<T>,
             unknowns: &[T; 1],
             residual: &mut [T; 1],
         ) {
-            let Scene { two_J, h, h_m_g_l, h_squared, .. } = *scene;
+            let Scene { h, h_m_g_l, two_J, .. } = *scene;
             let Step {
                 omega,
                 four_h_Gamma_y,
-                Gamma_x,
                 sixteen_Gamma_x,
                 h_Gamma_x,
                 four_Gamma_y,
+                h_m_g_l_Gamma_x,
                 ..
             } = *step;
             let [omega_next] = *unknowns;
-            let [one, sixteen] = [1.0, 16.0].map(T::constant);
+            let sixteen = T::constant(16.0);
             let omega_sum = omega_next + omega;
+            let h_omega_sum = h * omega_sum;
             let v1 = four_h_Gamma_y * omega_sum + sixteen_Gamma_x
-                - h * omega_sum * (h_Gamma_x * omega_sum - four_Gamma_y);
-            let v2 = v1 * (one / (h_squared * (omega_sum * omega_sum) + sixteen));
-            residual[0] = two_J * (omega_next - omega) + h_m_g_l * (v2 + Gamma_x);
+                - h_omega_sum * (h_Gamma_x * omega_sum - four_Gamma_y);
+            let v2 = (h_omega_sum * h_omega_sum + sixteen)
+                * (two_J * (omega_next - omega) + h_m_g_l_Gamma_x);
+            residual[0] = h_m_g_l * v1 + v2;
         }
-        /// r(x) and the 1 structural non-zeros of its Jacobian after elimination: 12 additions, 17 multiplications, 1 division.
+        /// r(x) and the 1 structural non-zeros of its Jacobian after elimination: 12 additions, 14 multiplications.
         fn residual_and_jacobian(
             scene: &Scene<T>,
             step: &Step<T>,
@@ -398,31 +401,65 @@ mod next_core {
             residual: &mut [T; 1],
             jacobian: &mut [[T; 1]; 1],
         ) {
-            let Scene { two_J, h, h_m_g_l, h_squared, two_h_squared, .. } = *scene;
+            let Scene { h, h_m_g_l, two_J, two_h_squared, .. } = *scene;
             let Step {
                 omega,
                 four_h_Gamma_y,
-                Gamma_x,
                 sixteen_Gamma_x,
                 h_Gamma_x,
                 four_Gamma_y,
+                h_m_g_l_Gamma_x,
                 h_squared_Gamma_x,
                 ..
             } = *step;
             let [omega_next] = *unknowns;
-            let [one, sixteen] = [1.0, 16.0].map(T::constant);
+            let sixteen = T::constant(16.0);
             let omega_sum = omega_next + omega;
+            let h_omega_sum = h * omega_sum;
             let v3 = h_Gamma_x * omega_sum - four_Gamma_y;
-            let v1 = four_h_Gamma_y * omega_sum + sixteen_Gamma_x - h * omega_sum * v3;
-            let v4 = one / (h_squared * (omega_sum * omega_sum) + sixteen);
-            residual[0] = two_J * (omega_next - omega) + h_m_g_l * (v1 * v4 + Gamma_x);
-            let v5 = v4 * (h * v3 + h_squared_Gamma_x * omega_sum - four_h_Gamma_y);
-            jacobian[0][0] = two_J
-                - h_m_g_l * (two_h_squared * omega_sum * v1 * (v4 * v4) + v5);
+            let v4 = h_m_g_l
+                * (four_h_Gamma_y * omega_sum + sixteen_Gamma_x - h_omega_sum * v3);
+            let v5 = h_omega_sum * h_omega_sum + sixteen;
+            let v6 = two_J * (omega_next - omega) + h_m_g_l_Gamma_x;
+            residual[0] = v4 + v5 * v6;
+            let v7 = h_m_g_l * (h * v3 + h_squared_Gamma_x * omega_sum - four_h_Gamma_y);
+            jacobian[0][0] = two_h_squared * omega_sum * v6 + two_J * v5 - v7;
         }
-        /// The state after the step: 8 additions, 11 multiplications, 1 division.
+        const HAS_CORRECTION: bool = true;
+        /// J(x)⁻¹ r(x) in closed form, and the growth of rounding in it: 12 additions, 14 multiplications, 1 division.
+        #[inline]
+        fn correction(
+            scene: &Scene<T>,
+            step: &Step<T>,
+            unknowns: &[T; 1],
+        ) -> ([T; 1], T) {
+            let Scene { h, h_m_g_l, two_J, two_h_squared, .. } = *scene;
+            let Step {
+                omega,
+                four_h_Gamma_y,
+                sixteen_Gamma_x,
+                h_Gamma_x,
+                four_Gamma_y,
+                h_m_g_l_Gamma_x,
+                h_squared_Gamma_x,
+                ..
+            } = *step;
+            let [omega_next] = *unknowns;
+            let [zero, sixteen] = [0.0, 16.0].map(T::constant);
+            let omega_sum = omega_next + omega;
+            let h_omega_sum = h * omega_sum;
+            let v3 = h_Gamma_x * omega_sum - four_Gamma_y;
+            let v4 = h_m_g_l
+                * (four_h_Gamma_y * omega_sum + sixteen_Gamma_x - h_omega_sum * v3);
+            let v5 = h_omega_sum * h_omega_sum + sixteen;
+            let v6 = two_J * (omega_next - omega) + h_m_g_l_Gamma_x;
+            let v7 = h_m_g_l * (h * v3 + h_squared_Gamma_x * omega_sum - four_h_Gamma_y);
+            ([(v4 + v5 * v6) / (two_h_squared * omega_sum * v6 + two_J * v5 - v7)], zero)
+        }
+        /// The state after the step: 8 additions, 10 multiplications, 1 division.
+        #[inline]
         fn next(scene: &Scene<T>, step: &Step<T>, unknowns: &[T; 1]) -> [T; 3] {
-            let Scene { h, h_squared, .. } = *scene;
+            let Scene { h, .. } = *scene;
             let Step {
                 omega,
                 four_h_Gamma_y,
@@ -441,10 +478,10 @@ mod next_core {
             let h_omega_sum = h * omega_sum;
             let v1 = four_h_Gamma_y * omega_sum + sixteen_Gamma_x
                 - h_omega_sum * (h_Gamma_x * omega_sum - four_Gamma_y);
-            let v4 = one / (h_squared * (omega_sum * omega_sum) + sixteen);
-            let v6 = four_h_Gamma_x * omega_sum
+            let v8 = one / (h_omega_sum * h_omega_sum + sixteen);
+            let v9 = four_h_Gamma_x * omega_sum
                 + h_omega_sum * (h_Gamma_y * omega_sum + four_Gamma_x) - sixteen_Gamma_y;
-            [omega_next, v1 * v4, -v6 * v4]
+            [omega_next, v1 * v8, -v9 * v8]
         }
         /// Σ|terms|/|Σ terms| over the divisors: no operations.
         fn growth(_scene: &Scene<T>, _step: &Step<T>, _unknowns: &[T; 1]) -> T {
@@ -574,10 +611,18 @@ mod increment {
             jacobian[2][2] = four;
         }
         /// The state after the step: 3 additions.
+        #[inline]
         fn next(_scene: &Scene<T>, step: &Step<T>, unknowns: &[T; 3]) -> [T; 3] {
             let Step { Gamma_x, omega, Gamma_y, .. } = *step;
             let [Delta_omega, Delta_Gamma_x, Delta_Gamma_y] = *unknowns;
             [Delta_omega + omega, Delta_Gamma_x + Gamma_x, Delta_Gamma_y + Gamma_y]
+        }
+        const HAS_CHANGE: bool = true;
+        /// What the step adds to the state: no operations.
+        #[inline]
+        fn change(_scene: &Scene<T>, _step: &Step<T>, unknowns: &[T; 3]) -> [T; 3] {
+            let [Delta_omega, Delta_Gamma_x, Delta_Gamma_y] = *unknowns;
+            [Delta_omega, Delta_Gamma_x, Delta_Gamma_y]
         }
     }
 }
@@ -599,10 +644,12 @@ mod increment_core {
     /// What a run needs of the parameters and h.
     #[derive(Clone, Copy)]
     pub struct Scene<T> {
-        J: T,
+        h: T,
         h_m_g_l: T,
         four_h: T,
+        J: T,
         h_squared: T,
+        two_h_squared: T,
         two_h_m_g_l: T,
         two_h: T,
     }
@@ -614,10 +661,10 @@ mod increment_core {
         omega: T,
         two_omega: T,
         Gamma_x: T,
+        h_m_g_l_Gamma_x: T,
         h_squared_Gamma_x: T,
         two_h_Gamma_y: T,
         four_h_Gamma_x: T,
-        h_squared_Gamma_y: T,
     }
     impl<T: ::residua::Scalar> ::residua::System<T> for super::IncrementCore {
         type Model = super::Model;
@@ -638,22 +685,25 @@ mod increment_core {
             let zero = T::constant(0.0);
             ([zero; 1], [[zero; 1]; 1])
         }
-        /// Once per run: 10 multiplications.
+        /// Once per run: 11 multiplications.
         fn scene(parameters: &super::Parameters<T>, h: T) -> Scene<T> {
             let super::Parameters { m, J, l, g } = *parameters;
             let [two, four] = [2.0, 4.0].map(T::constant);
+            let h_squared = h * h;
             Scene {
-                J,
+                h,
                 h_m_g_l: h * m * g * l,
                 four_h: four * h,
-                h_squared: h * h,
+                J,
+                h_squared,
+                two_h_squared: two * h_squared,
                 two_h_m_g_l: two * h * m * g * l,
                 two_h: two * h,
             }
         }
         /// Once per step: 6 multiplications.
         fn step(scene: &Scene<T>, _t: T, state: &[T; 3]) -> Step<T> {
-            let Scene { four_h, h_squared, two_h, .. } = *scene;
+            let Scene { h_m_g_l, four_h, h_squared, two_h, .. } = *scene;
             let [omega, Gamma_x, Gamma_y] = *state;
             let two = T::constant(2.0);
             Step {
@@ -662,34 +712,37 @@ mod increment_core {
                 omega,
                 two_omega: two * omega,
                 Gamma_x,
+                h_m_g_l_Gamma_x: h_m_g_l * Gamma_x,
                 h_squared_Gamma_x: h_squared * Gamma_x,
                 two_h_Gamma_y: two_h * Gamma_y,
                 four_h_Gamma_x: four_h * Gamma_x,
-                h_squared_Gamma_y: h_squared * Gamma_y,
             }
         }
         fn guess(_scene: &Scene<T>, _step: &Step<T>) -> [T; 1] {
             let zero = T::constant(0.0);
             [zero]
         }
-        /// r(x), 1 equations after elimination: 5 additions, 8 multiplications, 1 division.
+        /// r(x), 1 equations after elimination: 5 additions, 8 multiplications.
         fn residual(
             scene: &Scene<T>,
             step: &Step<T>,
             unknowns: &[T; 1],
             residual: &mut [T; 1],
         ) {
-            let Scene { J, h_m_g_l, h_squared, .. } = *scene;
-            let Step { four_h_Gamma_y, two_omega, Gamma_x, h_squared_Gamma_x, .. } = *step;
+            let Scene { h, h_m_g_l, J, .. } = *scene;
+            let Step { four_h_Gamma_y, two_omega, Gamma_x, h_m_g_l_Gamma_x, .. } = *step;
             let [Delta_omega] = *unknowns;
-            let [one, two, sixteen] = [1.0, 2.0, 16.0].map(T::constant);
+            let [two, sixteen] = [2.0, 16.0].map(T::constant);
             let omega_sum = Delta_omega + two_omega;
-            let omega_sum_squared = omega_sum * omega_sum;
-            let v1 = four_h_Gamma_y * omega_sum - h_squared_Gamma_x * omega_sum_squared;
-            let v2 = v1 * (one / (h_squared * omega_sum_squared + sixteen)) + Gamma_x;
-            residual[0] = two * (J * Delta_omega + h_m_g_l * v2);
+            let h_omega_sum = h * omega_sum;
+            let h_omega_sum_squared = h_omega_sum * h_omega_sum;
+            let v1 = h_m_g_l
+                * (four_h_Gamma_y * omega_sum - Gamma_x * h_omega_sum_squared);
+            let v2 = (h_omega_sum_squared + sixteen)
+                * (J * Delta_omega + h_m_g_l_Gamma_x);
+            residual[0] = two * (v1 + v2);
         }
-        /// r(x) and the 1 structural non-zeros of its Jacobian after elimination: 8 additions, 16 multiplications, 1 division.
+        /// r(x) and the 1 structural non-zeros of its Jacobian after elimination: 8 additions, 14 multiplications.
         fn residual_and_jacobian(
             scene: &Scene<T>,
             step: &Step<T>,
@@ -697,48 +750,106 @@ mod increment_core {
             residual: &mut [T; 1],
             jacobian: &mut [[T; 1]; 1],
         ) {
-            let Scene { J, h_m_g_l, h_squared, two_h_m_g_l, .. } = *scene;
+            let Scene { h, h_m_g_l, J, two_h_squared, two_h_m_g_l, .. } = *scene;
             let Step {
                 four_h_Gamma_y,
                 two_omega,
                 Gamma_x,
+                h_m_g_l_Gamma_x,
                 h_squared_Gamma_x,
                 two_h_Gamma_y,
                 ..
             } = *step;
             let [Delta_omega] = *unknowns;
-            let [one, two, sixteen] = [1.0, 2.0, 16.0].map(T::constant);
+            let [two, sixteen] = [2.0, 16.0].map(T::constant);
             let omega_sum = Delta_omega + two_omega;
-            let omega_sum_squared = omega_sum * omega_sum;
-            let v1 = four_h_Gamma_y * omega_sum - h_squared_Gamma_x * omega_sum_squared;
-            let v3 = one / (h_squared * omega_sum_squared + sixteen);
-            residual[0] = two * (J * Delta_omega + h_m_g_l * (v1 * v3 + Gamma_x));
-            let v4 = h_squared * omega_sum * v1 * (v3 * v3)
-                + v3 * (h_squared_Gamma_x * omega_sum - two_h_Gamma_y);
-            jacobian[0][0] = -two * (two_h_m_g_l * v4 - J);
+            let h_omega_sum = h * omega_sum;
+            let h_omega_sum_squared = h_omega_sum * h_omega_sum;
+            let v1 = h_m_g_l
+                * (four_h_Gamma_y * omega_sum - Gamma_x * h_omega_sum_squared);
+            let v3 = h_omega_sum_squared + sixteen;
+            let v4 = J * Delta_omega + h_m_g_l_Gamma_x;
+            residual[0] = two * (v1 + v3 * v4);
+            let v5 = two_h_squared * omega_sum * v4 + J * v3
+                - two_h_m_g_l * (h_squared_Gamma_x * omega_sum - two_h_Gamma_y);
+            jacobian[0][0] = two * v5;
+        }
+        const HAS_CORRECTION: bool = true;
+        /// J(x)⁻¹ r(x) in closed form, and the growth of rounding in it: 8 additions, 12 multiplications, 1 division.
+        #[inline]
+        fn correction(
+            scene: &Scene<T>,
+            step: &Step<T>,
+            unknowns: &[T; 1],
+        ) -> ([T; 1], T) {
+            let Scene { h, h_m_g_l, J, two_h_squared, two_h_m_g_l, .. } = *scene;
+            let Step {
+                four_h_Gamma_y,
+                two_omega,
+                Gamma_x,
+                h_m_g_l_Gamma_x,
+                h_squared_Gamma_x,
+                two_h_Gamma_y,
+                ..
+            } = *step;
+            let [Delta_omega] = *unknowns;
+            let [zero, sixteen] = [0.0, 16.0].map(T::constant);
+            let omega_sum = Delta_omega + two_omega;
+            let h_omega_sum = h * omega_sum;
+            let h_omega_sum_squared = h_omega_sum * h_omega_sum;
+            let v1 = h_m_g_l
+                * (four_h_Gamma_y * omega_sum - Gamma_x * h_omega_sum_squared);
+            let v3 = h_omega_sum_squared + sixteen;
+            let v4 = J * Delta_omega + h_m_g_l_Gamma_x;
+            let v5 = two_h_squared * omega_sum * v4 + J * v3
+                - two_h_m_g_l * (h_squared_Gamma_x * omega_sum - two_h_Gamma_y);
+            ([(v1 + v3 * v4) / v5], zero)
         }
         /// The state after the step: 7 additions, 10 multiplications, 1 division.
+        #[inline]
         fn next(scene: &Scene<T>, step: &Step<T>, unknowns: &[T; 1]) -> [T; 3] {
-            let Scene { h_squared, .. } = *scene;
+            let Scene { h, .. } = *scene;
             let Step {
                 Gamma_y,
                 four_h_Gamma_y,
                 omega,
                 two_omega,
                 Gamma_x,
-                h_squared_Gamma_x,
                 four_h_Gamma_x,
-                h_squared_Gamma_y,
                 ..
             } = *step;
             let [Delta_omega] = *unknowns;
             let [one, two, sixteen] = [1.0, 2.0, 16.0].map(T::constant);
             let omega_sum = Delta_omega + two_omega;
-            let omega_sum_squared = omega_sum * omega_sum;
-            let v1 = four_h_Gamma_y * omega_sum - h_squared_Gamma_x * omega_sum_squared;
-            let v3 = one / (h_squared * omega_sum_squared + sixteen);
-            let v5 = four_h_Gamma_x * omega_sum + h_squared_Gamma_y * omega_sum_squared;
-            [Delta_omega + omega, two * v1 * v3 + Gamma_x, Gamma_y - two * v5 * v3]
+            let h_omega_sum = h * omega_sum;
+            let h_omega_sum_squared = h_omega_sum * h_omega_sum;
+            let v6 = one / (h_omega_sum_squared + sixteen);
+            let v7 = (four_h_Gamma_y * omega_sum - Gamma_x * h_omega_sum_squared) * v6;
+            let v8 = (four_h_Gamma_x * omega_sum + Gamma_y * h_omega_sum_squared) * v6;
+            [Delta_omega + omega, two * v7 + Gamma_x, Gamma_y - two * v8]
+        }
+        const HAS_CHANGE: bool = true;
+        /// What the step adds to the state: 4 additions, 10 multiplications, 1 division.
+        #[inline]
+        fn change(scene: &Scene<T>, step: &Step<T>, unknowns: &[T; 1]) -> [T; 3] {
+            let Scene { h, .. } = *scene;
+            let Step {
+                Gamma_y,
+                four_h_Gamma_y,
+                two_omega,
+                Gamma_x,
+                four_h_Gamma_x,
+                ..
+            } = *step;
+            let [Delta_omega] = *unknowns;
+            let [one, two, sixteen] = [1.0, 2.0, 16.0].map(T::constant);
+            let omega_sum = Delta_omega + two_omega;
+            let h_omega_sum = h * omega_sum;
+            let h_omega_sum_squared = h_omega_sum * h_omega_sum;
+            let v6 = one / (h_omega_sum_squared + sixteen);
+            let v7 = (four_h_Gamma_y * omega_sum - Gamma_x * h_omega_sum_squared) * v6;
+            let v8 = (four_h_Gamma_x * omega_sum + Gamma_y * h_omega_sum_squared) * v6;
+            [Delta_omega, two * v7, -two * v8]
         }
         /// Σ|terms|/|Σ terms| over the divisors: no operations.
         fn growth(_scene: &Scene<T>, _step: &Step<T>, _unknowns: &[T; 1]) -> T {
@@ -997,6 +1108,15 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
                     "next",
                     ::residua::description::Count {
                         additions: 3,
+                        multiplications: 0,
+                        divisions: 0,
+                        calls: 0,
+                    },
+                ),
+                (
+                    "change",
+                    ::residua::description::Count {
+                        additions: 0,
                         multiplications: 0,
                         divisions: 0,
                         calls: 0,

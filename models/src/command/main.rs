@@ -15,6 +15,7 @@ mod new;
 mod report;
 mod show;
 mod simulate;
+mod sweep;
 mod table;
 
 use clap::{Parser, Subcommand};
@@ -37,6 +38,7 @@ struct Command {
 enum Verb {
     List(list::List),
     Simulate(simulate::Simulate),
+    Sweep(sweep::Sweep),
     Check(check::Check),
     Errata(errata::Errata),
     Expand(expand::Expand),
@@ -48,6 +50,7 @@ fn main() -> ExitCode {
     let outcome = match Command::parse().verb {
         Verb::List(list) => list.run(),
         Verb::Simulate(simulate) => simulate.run(),
+        Verb::Sweep(sweep) => sweep.run(),
         Verb::Check(check) => check.run(),
         Verb::Errata(errata) => errata.run(),
         Verb::Expand(expand) => expand.run(),

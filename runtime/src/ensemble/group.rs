@@ -62,8 +62,10 @@ pub(super) struct Group<'a> {
     shifts: Shifts,
     /// First corrections up to here leave less than rounding, as second ones told.
     enough: Vec<Row>,
-    /// Steps until that is found out anew.
-    trust: [u32; WIDTH],
+    /// The step at which that is found out anew.
+    due: [u64; WIDTH],
+    /// The first step at which it is for any trajectory.
+    quiet_until: u64,
     start: Vec<Row>,
     x: Vec<Row>,
     correction: Vec<Row>,
@@ -72,9 +74,14 @@ pub(super) struct Group<'a> {
     /// 1 for those that are not in step, else 0.
     idle: Row,
     seats: Vec<Seat>,
+    together: usize,
+    alone: usize,
     absences: [u32; WIDTH],
-    /// Corrections in step with the others.
-    iterations: [u64; WIDTH],
+    /// First corrections of all, and what each trajectory had more or less.
+    rounds: u64,
+    iterations: [i64; WIDTH],
+    /// What earlier steps alone have cost.
+    apart: [Statistics; WIDTH],
     outcomes: Vec<Outcome>,
     /// A state, for the observer.
     column: Vec<f64>,
@@ -102,7 +109,8 @@ impl<'a> Group<'a> {
             next: rows(sizes.state),
             shifts: Shifts::new(sizes.unknowns),
             enough: vec![[NEVER; WIDTH]; sizes.unknowns],
-            trust: [0; WIDTH],
+            due: [0; WIDTH],
+            quiet_until: 0,
             start: rows(sizes.unknowns),
             x: rows(sizes.unknowns),
             correction: rows(sizes.unknowns),
@@ -110,8 +118,12 @@ impl<'a> Group<'a> {
             within: [0.0; WIDTH],
             idle: [1.0; WIDTH],
             seats: (0..WIDTH).map(|_| Seat::Out).collect(),
+            together: 0,
+            alone: 0,
             absences: [0; WIDTH],
+            rounds: 0,
             iterations: [0; WIDTH],
+            apart: [Statistics::default(); WIDTH],
             outcomes: vec![Outcome::default(); count],
             column: vec![0.0; sizes.state],
         };
@@ -139,7 +151,7 @@ impl<'a> Group<'a> {
         if every > 0 {
             self.show();
         }
-        while self.step < steps && self.idle_or_alone() < WIDTH {
+        while self.step < steps && self.together + self.alone > 0 {
             self.advance();
             if self.step == steps || (every > 0 && self.step.is_multiple_of(every)) {
                 self.show();
@@ -151,11 +163,6 @@ impl<'a> Group<'a> {
         self.outcomes
     }
 
-    /// Seats that are out.
-    fn idle_or_alone(&self) -> usize {
-        self.seats.iter().filter(|seat| matches!(seat, Seat::Out)).count()
-    }
-
     /// Starts a trajectory: in step, where the model and the settings allow it.
     fn seat(&mut self, lane: usize) {
         let settings = self.fleet.settings;
@@ -165,30 +172,40 @@ impl<'a> Group<'a> {
             && settings.strategy == Strategy::Core
             && settings.tolerance >= f64::EPSILON;
         if can_join && is_finite {
-            self.seats[lane] = Seat::Together;
-            self.idle[lane] = 0.0;
+            self.join(lane);
         } else {
             self.depart(lane, u64::MAX);
         }
     }
 
-    fn advance(&mut self) {
-        let together = self.idle.iter().fold(false, |any, idle| any | (*idle == 0.0));
-        if together {
-            self.advance_together();
-        }
-        self.advance_alone();
-        mem::swap(&mut self.state, &mut self.next);
-        self.step += 1;
-        self.rejoin();
+    fn join(&mut self, lane: usize) {
+        self.seats[lane] = Seat::Together;
+        self.idle[lane] = 0.0;
+        self.together += 1;
+        self.iterations[lane] -= self.rounds as i64;
+        (self.due[lane], self.quiet_until) = (self.step, self.step);
+        self.shifts.forget(lane);
     }
 
+    fn advance(&mut self) {
+        if self.together > 0 {
+            self.advance_together();
+        }
+        if self.alone > 0 {
+            self.advance_alone();
+        }
+        mem::swap(&mut self.state, &mut self.next);
+        self.step += 1;
+        if self.alone > 0 {
+            self.rejoin();
+        }
+    }
+
+    #[inline]
     fn advance_together(&mut self) {
-        let due: Mask = core::array::from_fn(|i| self.trust[i] == 0 && self.idle[i] == 0.0);
-        let any_due = due.iter().fold(false, |any, due| any | due);
-        if any_due {
-            let scales = judge::scales(self.kernel.blocks(), &self.state, &self.x);
-            self.shifts.set_out(self.arch, &due, &scales);
+        let is_quiet = self.step < self.quiet_until;
+        if !is_quiet {
+            self.set_out();
         }
         self.shifts.ahead(self.arch, &mut self.start);
         let start = Start {
@@ -208,30 +225,47 @@ impl<'a> Group<'a> {
             within: &mut self.within,
         };
         let done = self.kernel.correct(self.arch, start, landing);
-        for iterations in &mut self.iterations {
-            *iterations += 1;
-        }
-        for trust in &mut self.trust {
-            *trust = trust.saturating_sub(1);
-        }
+        self.rounds += 1;
         if !done {
-            self.correct_again(&due);
+            self.correct_again();
         }
-        if any_due {
-            self.shifts.weigh(&[false; WIDTH]);
-        }
-        for i in 0..WIDTH {
-            let is_spent = self.trust[i] == 0;
-            for enough in &mut self.enough {
-                enough[i] = if is_spent { NEVER } else { enough[i] };
-            }
+        if !is_quiet {
+            self.settle();
         }
         self.shifts.push();
     }
 
+    /// Who is to find out now what is enough.
+    fn is_due(&self, lane: usize) -> bool {
+        self.due[lane] <= self.step && self.idle[lane] == 0.0
+    }
+
+    /// Those who are due set out from further away, and with no limit to the first correction but the second.
+    #[cold]
+    fn set_out(&mut self) {
+        let due: Mask = core::array::from_fn(|lane| self.is_due(lane));
+        let scales = judge::scales(self.kernel.blocks(), &self.state, &self.x);
+        self.shifts.set_out(self.arch, &due, &scales);
+        for enough in &mut self.enough {
+            for lane in 0..WIDTH {
+                enough[lane] = if due[lane] { NEVER } else { enough[lane] };
+            }
+        }
+    }
+
+    /// After a step that was not quiet: who is due next?
+    #[cold]
+    fn settle(&mut self) {
+        self.shifts.weigh(&[false; WIDTH]);
+        let together = (0..WIDTH).filter(|lane| self.idle[*lane] == 0.0);
+        let next = together.map(|lane| self.due[lane]).min();
+        // Those who still are due are so in the next step.
+        self.quiet_until = next.unwrap_or(u64::MAX);
+    }
+
     /// Goes on with those that one correction was not enough for, and leaves the others as they are.
     #[cold]
-    fn correct_again(&mut self, due: &Mask) {
+    fn correct_again(&mut self) {
         let blocks = self.kernel.blocks();
         let tolerance = self.fleet.settings.tolerance;
         let n = self.start.len();
@@ -264,7 +298,7 @@ impl<'a> Group<'a> {
             if round == 2 {
                 let limits =
                     judge::limits(blocks, &self.state, &last_x, &first, &self.correction);
-                self.learn(&open, due, &limits);
+                self.learn(&open, &limits);
             }
             let mut accepted = [false; WIDTH];
             for i in 0..WIDTH {
@@ -273,7 +307,7 @@ impl<'a> Group<'a> {
                 let is_small = now.converged[i] && now.size[i] <= before.size[i];
                 let is_enough = self.within[i] != 0.0 || is_last || is_small;
                 accepted[i] = open[i] && self.sound[i] != 0.0 && is_enough;
-                self.iterations[i] += u64::from(open[i]);
+                self.iterations[i] += i64::from(open[i]);
                 open[i] &= !accepted[i];
             }
             merge(self.shifts.next(), &shift, &accepted);
@@ -292,14 +326,15 @@ impl<'a> Group<'a> {
         }
     }
 
-    /// Takes in the limits of those that are `due`, and the larger ones of others.
-    fn learn(&mut self, open: &Mask, due: &Mask, limits: &[Row]) {
+    /// Takes in the limits of those who are due, and the larger ones of others.
+    fn learn(&mut self, open: &Mask, limits: &[Row]) {
         for lane in (0..WIDTH).filter(|lane| open[*lane]) {
-            if due[lane] && self.shifts.are_many(lane) {
-                self.trust[lane] = TRUSTED_STEPS;
+            let is_due = self.is_due(lane);
+            if is_due && self.shifts.are_many(lane) {
+                self.due[lane] = self.step + 1 + u64::from(TRUSTED_STEPS);
             }
             for (enough, limit) in self.enough.iter_mut().zip(limits) {
-                if due[lane] || limit[lane] > enough[lane] {
+                if is_due || limit[lane] > enough[lane] {
                     enough[lane] = limit[lane];
                 }
             }
@@ -308,7 +343,7 @@ impl<'a> Group<'a> {
 
     /// Lets a trajectory go on alone from the state before the step.
     fn depart(&mut self, lane: usize, until: u64) {
-        self.idle[lane] = 1.0;
+        self.stand_up(lane);
         let mut parameters = vec![0.0; self.parameters.len()];
         get(&self.parameters, lane, &mut parameters);
         get(&self.state, lane, &mut self.column);
@@ -321,7 +356,10 @@ impl<'a> Group<'a> {
             settings: self.fleet.settings,
         };
         self.seats[lane] = match self.kernel.alone(&departure) {
-            Ok(run) => Seat::Alone { run, until },
+            Ok(run) => {
+                self.alone += 1;
+                Seat::Alone { run, until }
+            }
             Err(error) => {
                 self.outcomes[lane].error = Some(error.into());
                 Seat::Out
@@ -356,35 +394,45 @@ impl<'a> Group<'a> {
                 Seat::Alone { until, .. } if *until <= self.step => {}
                 _ => continue,
             }
-            self.count(lane);
-            self.seats[lane] = Seat::Together;
-            self.idle[lane] = 0.0;
-            self.trust[lane] = 0;
-            self.shifts.forget(lane);
+            self.stand_up(lane);
+            self.join(lane);
         }
     }
 
     /// Ends a trajectory.
     fn leave(&mut self, lane: usize) {
-        if matches!(self.seats[lane], Seat::Out) {
-            return;
+        if !matches!(self.seats[lane], Seat::Out) {
+            self.outcomes[lane].statistics = self.statistics(lane);
+            self.stand_up(lane);
         }
-        self.count(lane);
-        self.outcomes[lane].statistics = self.statistics(lane);
-        self.seats[lane] = Seat::Out;
-        self.idle[lane] = 1.0;
     }
 
-    /// Adds up what a trajectory has cost alone.
-    fn count(&mut self, lane: usize) {
-        if let Seat::Alone { run, .. } = &self.seats[lane] {
-            add(&mut self.outcomes[lane].statistics, run.statistics());
+    /// Leaves a seat, and adds up what it has cost to sit there.
+    fn stand_up(&mut self, lane: usize) {
+        match mem::replace(&mut self.seats[lane], Seat::Out) {
+            Seat::Together => {
+                self.together -= 1;
+                self.iterations[lane] += self.rounds as i64;
+            }
+            Seat::Alone { run, .. } => {
+                self.alone -= 1;
+                add(&mut self.apart[lane], run.statistics());
+            }
+            Seat::Out => {}
         }
+        self.idle[lane] = 1.0;
     }
 
     /// What a trajectory has cost up to here.
     fn statistics(&self, lane: usize) -> Statistics {
-        let iterations = self.iterations[lane];
+        let mut sum = self.apart[lane];
+        let mut iterations = self.iterations[lane];
+        match &self.seats[lane] {
+            Seat::Together => iterations += self.rounds as i64,
+            Seat::Alone { run, .. } => add(&mut sum, run.statistics()),
+            Seat::Out => {}
+        }
+        let iterations = iterations as u64;
         let together = Statistics {
             iterations,
             residuals: iterations,
@@ -392,7 +440,6 @@ impl<'a> Group<'a> {
             factorizations: iterations,
             ..Statistics::default()
         };
-        let mut sum = self.outcomes[lane].statistics;
         add(&mut sum, together);
         sum.steps = self.step;
         sum

@@ -22,8 +22,10 @@ pub(crate) struct Shifts {
     /// Of `KEPT` steps, one after the other, round the end.
     ring: Vec<Row>,
     last: usize,
-    /// Steps seen, at most as many as are kept.
-    seen: [usize; WIDTH],
+    /// Steps taken in.
+    steps: usize,
+    /// Those among them that a trajectory has forgotten.
+    forgotten: [usize; WIDTH],
     order: [usize; WIDTH],
     /// Row j − 1 has the weights of j steps ago; 0 beyond the order of a trajectory.
     weights: [Row; HIGHEST],
@@ -38,7 +40,8 @@ impl Shifts {
             unknowns,
             ring: zeros(KEPT * unknowns),
             last: 0,
-            seen: [0; WIDTH],
+            steps: 0,
+            forgotten: [0; WIDTH],
             order: [0; WIDTH],
             weights: [[0.0; WIDTH]; HIGHEST],
             highest: 0,
@@ -47,7 +50,12 @@ impl Shifts {
 
     /// Enough has been seen of this trajectory for any order.
     pub(crate) fn are_many(&self, lane: usize) -> bool {
-        self.seen[lane] == KEPT
+        self.seen(lane) == KEPT
+    }
+
+    /// Steps seen of this trajectory, at most as many as are kept.
+    fn seen(&self, lane: usize) -> usize {
+        (self.steps - self.forgotten[lane]).min(KEPT)
     }
 
     /// Drops what earlier steps of a trajectory told.
@@ -55,7 +63,7 @@ impl Shifts {
         for row in &mut self.ring {
             row[lane] = 0.0;
         }
-        (self.seen[lane], self.order[lane]) = (0, 0);
+        (self.forgotten[lane], self.order[lane]) = (self.steps, 0);
     }
 
     /// Overwrites `start` with what the next shifts are expected to be.
@@ -72,9 +80,7 @@ impl Shifts {
     /// Takes them in.
     pub(crate) fn push(&mut self) {
         self.last = (self.last + 1) % KEPT;
-        for seen in &mut self.seen {
-            *seen = (*seen + 1).min(KEPT);
-        }
+        self.steps += 1;
     }
 
     /// Looks for the orders of the `due` trajectories that would have been best in the last steps, unknowns being
@@ -85,9 +91,9 @@ impl Shifts {
             scales,
         });
         for lane in (0..WIDTH).filter(|lane| due[*lane]) {
-            self.order[lane] = self.seen[lane].min(1);
+            self.order[lane] = self.seen(lane).min(1);
             let mut least = f64::INFINITY;
-            for order in 1..=HIGHEST.min(self.seen[lane].saturating_sub(COMPARED)) {
+            for order in 1..=HIGHEST.min(self.seen(lane).saturating_sub(COMPARED)) {
                 let missed = missed[order - 1][lane];
                 if missed < least {
                     (self.order[lane], least) = (order, missed);

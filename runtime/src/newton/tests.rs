@@ -19,6 +19,7 @@ const DEFAULT: Settings = Settings {
     max_iterations: 50,
     max_growths: 4,
     strategy: crate::Strategy::Core,
+    compensated: true,
 };
 
 /// Runs one "step" from `start` to the root.
@@ -52,7 +53,6 @@ fn corrections_shrink_quadratically() {
     assert!((root[0] - 2.0).abs() < 1e-15 && (root[1] - 1.0).abs() < 1e-15);
     assert_eq!(report.success, Success::Converged);
     assert_eq!(report.iterations, 6);
-
 }
 
 #[test]

@@ -181,7 +181,8 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
     }
 
     /// Blames the first component that is not finite, or else the largest residual.
-    fn fault(&self, failure: Failure) -> Fault {
+    #[cold]
+    pub(crate) fn fault(&self, failure: Failure) -> Fault {
         let (r, x) = (self.r.as_ref(), self.x.as_ref());
         let (place, value) = if let Some((row, value)) = first_not_finite(r) {
             (Place::Equation(row), value)
@@ -229,15 +230,17 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
     fn residual_is_rounding(&self, known: &[T]) -> bool {
         let (r, j) = (self.r.as_ref(), self.j.entries());
         let rounding = T::constant(ROUNDING) * T::EPSILON;
-        r.iter().zip(j.chunks_exact(r.len().max(1))).all(|(r, row)| {
-            let mut terms = T::constant(0.0);
-            for (unknowns, scale) in self.blocks(known) {
-                for entry in &row[unknowns] {
-                    terms = terms + entry.abs() * scale;
+        r.iter()
+            .zip(j.chunks_exact(r.len().max(1)))
+            .all(|(r, row)| {
+                let mut terms = T::constant(0.0);
+                for (unknowns, scale) in self.blocks(known) {
+                    for entry in &row[unknowns] {
+                        terms = terms + entry.abs() * scale;
+                    }
                 }
-            }
-            r.abs() <= rounding * terms
-        })
+                r.abs() <= rounding * terms
+            })
     }
 
     /// The blocks of unknowns, each with its scale: the largest |x| in the block and in the state it advances.
@@ -293,4 +296,3 @@ fn require_finite<T: Real>(values: &impl AsRef<[T]>) -> Result<(), Failure> {
         Some(_) => Err(Failure::NotFinite),
     }
 }
-

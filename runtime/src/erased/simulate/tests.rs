@@ -22,6 +22,7 @@ const RUN: Run = Run {
         max_iterations: 50,
         max_growths: 4,
         strategy: crate::Strategy::Core,
+        compensated: true,
     },
 };
 
