@@ -14,6 +14,13 @@ pub struct Assignment {
     value: String,
 }
 
+impl Assignment {
+    /// Behind the `=`.
+    pub fn value(&self) -> &str {
+        &self.value
+    }
+}
+
 impl fmt::Display for Assignment {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} = {}", self.target, self.value)

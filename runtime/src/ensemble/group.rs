@@ -59,6 +59,8 @@ pub(super) struct Group<'a> {
     scene: Vec<Row>,
     state: Vec<Row>,
     next: Vec<Row>,
+    /// What the sums of increments have lost to rounding, before and after the step.
+    lost: [Vec<Row>; 2],
     shifts: Shifts,
     /// First corrections up to here leave less than rounding, as second ones told.
     enough: Vec<Row>,
@@ -107,6 +109,7 @@ impl<'a> Group<'a> {
             scene: rows(sizes.scene),
             state: rows(sizes.state),
             next: rows(sizes.state),
+            lost: [rows(sizes.state), rows(sizes.state)],
             shifts: Shifts::new(sizes.unknowns),
             enough: vec![[NEVER; WIDTH]; sizes.unknowns],
             due: [0; WIDTH],
@@ -184,6 +187,9 @@ impl<'a> Group<'a> {
         self.together += 1;
         self.iterations[lane] -= self.rounds as i64;
         (self.due[lane], self.quiet_until) = (self.step, self.step);
+        for row in &mut self.lost[0] {
+            row[lane] = 0.0;
+        }
         self.shifts.forget(lane);
     }
 
@@ -203,15 +209,18 @@ impl<'a> Group<'a> {
 
     #[inline]
     fn advance_together(&mut self) {
+        let t = self.t();
         let is_quiet = self.step < self.quiet_until;
         if !is_quiet {
             self.set_out();
         }
         self.shifts.ahead(self.arch, &mut self.start);
+        let [lost, lost_next] = &mut self.lost;
         let start = Start {
-            t: self.t(),
+            t,
             scene: &self.scene,
             state: &self.state,
+            lost,
             shift: &self.start,
             enough: &self.enough,
             idle: &self.idle,
@@ -221,6 +230,7 @@ impl<'a> Group<'a> {
             x: &mut self.x,
             correction: &mut self.correction,
             next: &mut self.next,
+            lost: lost_next,
             sound: &mut self.sound,
             within: &mut self.within,
         };
@@ -231,6 +241,9 @@ impl<'a> Group<'a> {
         }
         if !is_quiet {
             self.settle();
+        }
+        if self.fleet.settings.compensated {
+            self.lost.swap(0, 1);
         }
         self.shifts.push();
     }
@@ -273,7 +286,7 @@ impl<'a> Group<'a> {
             core::array::from_fn(|i| self.idle[i] == 0.0 && self.within[i] == 0.0);
         let mut before = judge::progress(blocks, &self.state, &self.x, &self.correction, tolerance);
         let first = self.correction.clone();
-        let (mut shift, mut next) = (zeros(n), self.next.clone());
+        let (mut shift, mut next, mut lost) = (zeros(n), self.next.clone(), self.lost[1].clone());
         self.start.copy_from_slice(self.shifts.next());
         let mut last_x = self.x.clone();
         for round in 2..=MOST_QUICK {
@@ -281,6 +294,7 @@ impl<'a> Group<'a> {
                 t: self.t(),
                 scene: &self.scene,
                 state: &self.state,
+                lost: &self.lost[0],
                 shift: &self.start,
                 enough: &self.enough,
                 idle: &self.idle,
@@ -290,6 +304,7 @@ impl<'a> Group<'a> {
                 x: &mut last_x,
                 correction: &mut self.correction,
                 next: &mut next,
+                lost: &mut lost,
                 sound: &mut self.sound,
                 within: &mut self.within,
             };
@@ -312,6 +327,7 @@ impl<'a> Group<'a> {
             }
             merge(self.shifts.next(), &shift, &accepted);
             merge(&mut self.next, &next, &accepted);
+            merge(&mut self.lost[1], &lost, &accepted);
             merge(&mut self.x, &last_x, &accepted);
             if open == [false; WIDTH] {
                 return;

@@ -51,6 +51,8 @@ pub(crate) struct Start<'a> {
     pub(crate) t: f64,
     pub(crate) scene: &'a [Row],
     pub(crate) state: &'a [Row],
+    /// What the sums of increments have lost to rounding.
+    pub(crate) lost: &'a [Row],
     /// How far the unknowns lie from their guesses.
     pub(crate) shift: &'a [Row],
     /// Corrections up to here are the last ones.
@@ -69,6 +71,8 @@ pub(crate) struct Landing<'a> {
     pub(crate) correction: &'a mut [Row],
     /// The state after the step.
     pub(crate) next: &'a mut [Row],
+    /// What the sums of increments have lost then.
+    pub(crate) lost: &'a mut [Row],
     /// 1 where all is finite and not magnified from rounding, else 0.
     pub(crate) sound: &'a mut Row,
     /// 1 where that is so and the correction is enough, else 0.
@@ -195,10 +199,11 @@ impl<S: Wide> NullaryFnOnce for Correct<'_, S> {
             x,
             correction,
             next,
+            lost,
             sound,
             within,
         } = self.landing;
-        correct::<Core<S, Lanes<N>>>(&self.start, shift, x, correction, next, sound, within)
+        correct::<Core<S, Lanes<N>>>(&self.start, shift, x, correction, next, lost, sound, within)
     }
 }
 
@@ -214,6 +219,7 @@ fn correct<C: System<Lanes<N>>>(
     x: &mut [Row],
     correction: &mut [Row],
     next: &mut [Row],
+    lost: &mut [Row],
     sound: &mut Row,
     within: &mut Row,
 ) -> bool {
@@ -227,12 +233,13 @@ fn correct<C: System<Lanes<N>>>(
     let (shifts, enough) = (&start.shift[..n], &start.enough[..n]);
     let (shift, x, correction) = (&mut shift[..n], &mut x[..n], &mut correction[..n]);
     let n_states = states.as_ref().len();
-    let next = &mut next[..n_states];
+    let (next, lost, losses) = (&mut next[..n_states], &mut lost[..n_states], &start.lost[..n_states]);
     let (scene, state) = (&start.scene[..scenes.as_ref().len()], &start.state[..n_states]);
     let mut open = 0;
     for i in 0..WIDTH / N {
         let scene = C::Scene::from_array(columns(scenes, scene, i));
-        let step = C::step(&scene, Lanes::constant(start.t), &columns(states, state, i));
+        let known = columns(states, state, i);
+        let step = C::step(&scene, Lanes::constant(start.t), &known);
         let guess = C::guess(&scene, &step);
         let mut at = guess;
         for (at, shift) in at.as_mut().iter_mut().zip(shifts) {
@@ -254,7 +261,18 @@ fn correct<C: System<Lanes<N>>>(
         }
 
         let eliminated = C::growth(&scene, &step, &at);
-        let after = C::next(&scene, &step, &at);
+        let mut after = known;
+        if C::HAS_CHANGE {
+            let change = C::change(&scene, &step, &at);
+            for j in 0..n_states {
+                let loss = lanes(&losses[j], i);
+                let (sum, loss) = compensated_sum(known.as_ref()[j], change.as_ref()[j] + loss);
+                after.as_mut()[j] = sum;
+                set_lanes(&mut lost[j], i, loss);
+            }
+        } else {
+            after = C::next(&scene, &step, &at);
+        }
         let mut total = Lanes::constant(0.0);
         for (next, after) in next.iter_mut().zip(after.as_ref()) {
             set_lanes(next, i, *after);
@@ -274,6 +292,14 @@ fn correct<C: System<Lanes<N>>>(
         }
     }
     open == 0
+}
+
+/// a + b and what is rounded off it (Knuth, *The Art of Computer Programming* 2, 4.2.2, theorem B).
+#[inline(always)]
+fn compensated_sum(a: Lanes<N>, b: Lanes<N>) -> (Lanes<N>, Lanes<N>) {
+    let sum = a + b;
+    let part = sum - a;
+    (sum, (a - (sum - part)) + (b - part))
 }
 
 /// Column `i` of `rows`, in an array like `shape`.
