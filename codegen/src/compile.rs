@@ -34,9 +34,11 @@ use crate::parse::parse;
 use crate::parse::parse_expression;
 use crate::parse::parse_leniently;
 use crate::parse::parse_unit;
+use crate::sample::Typical;
 use crate::source::lex;
 use crate::stage::program;
 use crate::structure::structure;
+use crate::system::Core;
 use crate::system::Entry;
 use crate::system::Equations;
 use crate::system::System;
@@ -56,11 +58,17 @@ pub fn expand(name: &str, tokens: TokenStream) -> TokenStream {
 /// The items of a model with mistakes, so that code that names them gives no errors of its own.
 fn quiet(name: &str, tokens: TokenStream) -> TokenStream {
     let model = stand_in(&parse_leniently(name, tokens));
-    let systems = model.forms.iter().map(|&form| discrete(&model, form));
-    let systems: Result<Vec<_>, Errors> = systems.map(|system| Ok(system?.0)).collect();
-    match (continuous(&model), systems) {
-        (Ok((equations, _)), Ok(systems)) => stub(&model, &program(&equations, &systems)),
-        (Err(_), _) | (_, Err(_)) => TokenStream::new(),
+    let Ok((equations, _)) = continuous(&model) else {
+        return TokenStream::new();
+    };
+    let typical = Typical::new(&equations.dag, &equations.defaults);
+    let systems = model
+        .forms
+        .iter()
+        .map(|&form| Ok(discrete(&model, form, &typical)?.0));
+    match systems.collect::<Result<Vec<System>, Errors>>() {
+        Ok(systems) => stub(&model, &program(&equations, &systems)),
+        Err(_) => TokenStream::new(),
     }
 }
 
@@ -95,9 +103,10 @@ pub fn analyse(name: &str, tokens: TokenStream) -> Result<Analysis, Errors> {
     let model = check(&parse(name, tokens)?)?;
     let (equations, mut findings) = continuous(&model)?;
     finite(&model, &equations)?;
+    let typical = Typical::new(&equations.dag, &equations.defaults);
     let mut systems = Vec::new();
     for &form in &model.forms {
-        let (system, found) = discrete(&model, form)?;
+        let (system, found) = discrete(&model, form, &typical)?;
         systems.push(system);
         // Every form gives the same verdicts; the first to speak names its unknowns.
         for (finding, found) in findings.iter_mut().zip(found) {
@@ -197,7 +206,9 @@ fn continuous(model: &Model) -> Result<(Equations, Vec<Option<Finding>>), Errors
         None
     } else {
         let entries = differentiate(&mut lowered.dag, &lowered.flow, model.n_states());
-        Some(explicit(model, &mut lowered.dag, &lowered.flow, &entries)?)
+        let typical = Typical::new(&lowered.dag, &lowered.defaults);
+        let rates = explicit(model, &mut lowered.dag, &lowered.flow, &entries, &typical);
+        Some(rates?)
     };
     let crate::system::Continuous {
         mut dag,
@@ -219,7 +230,11 @@ fn continuous(model: &Model) -> Result<(Equations, Vec<Option<Finding>>), Errors
     Ok((equations, findings))
 }
 
-fn discrete(model: &Model, form: Form) -> Result<(System, Vec<Option<Finding>>), Errors> {
+fn discrete(
+    model: &Model,
+    form: Form,
+    typical: &Typical,
+) -> Result<(System, Vec<Option<Finding>>), Errors> {
     let mut lowered = lower_discrete(model, form)?;
     let n = model.n_unknowns();
     let jacobian = differentiate(&mut lowered.dag, &lowered.residual, n);
@@ -245,28 +260,32 @@ fn discrete(model: &Model, form: Form) -> Result<(System, Vec<Option<Finding>>),
         guess: &guess,
         next: &next,
         blocks: &blocks,
+        typical,
     };
-    let mut core = eliminate(&mut dag, &full).map(|mut core| {
+    let adds = form == Form::Increment;
+    let core = eliminate(&mut dag, &full).map(|mut reduced| {
         // The product is less linear than the quotient: only of one equation is a division much of the work.
-        if core.residual.len() == 1 {
-            core.residual = clear(&mut dag, &core.residual);
+        if reduced.residual.len() == 1 {
+            reduced.residual = clear(&mut dag, &reduced.residual);
         }
-        let entries = differentiate(&mut dag, &core.residual, model.n_unknowns()).into_iter();
+        let entries = differentiate(&mut dag, &reduced.residual, n).into_iter();
         let own = entries.filter_map(|entry| {
-            let col = core.unknowns.iter().position(|&col| col == entry.col)?;
+            let col = reduced.unknowns.iter().position(|&col| col == entry.col)?;
             Some(Entry { col, ..entry })
         });
-        let own: Vec<Entry> = own.collect();
-        (core, own)
+        let jacobian = own.collect();
+        let change = change(&mut dag, &reduced.next).filter(|_| adds);
+        Core {
+            reduced,
+            jacobian,
+            change,
+        }
     });
-    let adds = form == Form::Increment;
-    if let Some((core, _)) = &mut core {
-        core.change = change(&mut dag, &core.next).filter(|_| adds);
-    }
+    let core = core.filter(|core| core.pays(&dag, &residual, &jacobian, &next));
     let change = change(&mut dag, &next).filter(|_| adds);
     let correction = match &core {
-        Some((core, jacobian)) => correct(&mut dag, &core.residual, jacobian),
-        None => correct(&mut dag, &residual, &jacobian),
+        Some(core) => correct(&mut dag, &core.reduced.residual, &core.jacobian, typical),
+        None => correct(&mut dag, &residual, &jacobian, typical),
     };
     debug_assert_eq!(dag.verify(), Ok(()));
     Ok((

@@ -7,6 +7,7 @@ use crate::dag::Dag;
 use crate::dag::NodeId;
 use crate::linear::growth;
 use crate::linear::solve;
+use crate::sample::Typical;
 use crate::system::Correction;
 use crate::system::Entry;
 
@@ -14,7 +15,12 @@ use crate::system::Entry;
 const MOST_UNKNOWNS: usize = 8;
 
 /// The correction of `residual` with the structural non-zeros of its Jacobian; `None` if the system is large.
-pub fn correct(dag: &mut Dag, residual: &[NodeId], jacobian: &[Entry]) -> Option<Correction> {
+pub fn correct(
+    dag: &mut Dag,
+    residual: &[NodeId],
+    jacobian: &[Entry],
+    typical: &Typical,
+) -> Option<Correction> {
     let n = residual.len();
     if n == 0 || n > MOST_UNKNOWNS {
         return None;
@@ -24,7 +30,7 @@ pub fn correct(dag: &mut Dag, residual: &[NodeId], jacobian: &[Entry]) -> Option
     for entry in jacobian {
         a[entry.row][entry.col] = entry.node;
     }
-    let solution = solve(dag, &a, residual)?;
+    let solution = solve(dag, &a, residual, typical)?;
     // Where an equation has one unknown there is no pivot to choose.
     let mut chosen = solution.divisors;
     chosen.retain(|divisor| !divisor.is_entry);

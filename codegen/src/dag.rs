@@ -13,12 +13,18 @@
 //! `normal`, so equal expressions share a node and no node is simplifiable by itself. A pass over
 //! the graph is a loop.
 
+use crate::index::Index;
+use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::One;
-use std::collections::HashMap;
+use num_traits::Signed;
 use std::fmt;
+use std::hash::Hash;
+use std::hash::Hasher;
+use std::mem::discriminant;
 
 mod evaluate;
+mod operations;
 mod sign;
 mod tape;
 mod text;
@@ -115,7 +121,7 @@ pub enum Elementary {
 }
 
 /// A node.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Node {
     /// An exact number.
     Constant(BigRational),
@@ -136,7 +142,7 @@ pub enum Node {
 pub struct Dag {
     nodes: Vec<Node>,
     rates: Vec<Rate>,
-    index: HashMap<Node, NodeId>,
+    index: Index,
 }
 
 impl Dag {
@@ -167,7 +173,9 @@ impl Dag {
 
     /// The operands of a node, first to last.
     pub fn operands(&self, id: NodeId) -> Vec<NodeId> {
-        operands(self.node(id))
+        let mut operands = Vec::new();
+        self.node(id).visit(|operand| operands.push(operand));
+        operands
     }
 
     /// The value of a node that is a plain number.
@@ -199,9 +207,7 @@ impl Dag {
         }
         for i in (0..self.nodes.len()).rev() {
             if seen[i] {
-                for operand in operands(&self.nodes[i]) {
-                    seen[operand.index()] = true;
-                }
+                self.nodes[i].visit(|operand| seen[operand.index()] = true);
             }
         }
         seen
@@ -213,30 +219,54 @@ impl Dag {
         for (i, node) in self.nodes.iter().enumerate() {
             depends[i] = match node {
                 Node::Leaf(leaf) => is_variable(*leaf),
-                _ => operands(node).iter().any(|o| depends[o.index()]),
+                _ => {
+                    let mut any = false;
+                    node.visit(|operand| any |= depends[operand.index()]);
+                    any
+                }
             };
         }
         depends
     }
 
+    /// For each node the unknowns among `first`, …, `first` + 127 that it depends on: bit i stands for unknown
+    /// `first` + i.
+    pub fn unknowns(&self, first: usize) -> Vec<u128> {
+        let mut masks = vec![0; self.nodes.len()];
+        for (i, node) in self.nodes.iter().enumerate() {
+            masks[i] = match node {
+                Node::Leaf(Leaf::Unknown(col)) if (first..first + 128).contains(col) => {
+                    1 << (col - first)
+                }
+                _ => {
+                    let mut mask = 0;
+                    node.visit(|operand| mask |= masks[operand.index()]);
+                    mask
+                }
+            };
+        }
+        masks
+    }
+
     /// The id of `node`, which must be in normal form: only `normal` calls this.
     pub(crate) fn intern(&mut self, node: Node) -> NodeId {
-        if let Some(&id) = self.index.get(&node) {
-            return id;
-        }
-        let id = NodeId(u32::try_from(self.nodes.len()).expect("a graph of 2^32 nodes"));
+        let id = |position| NodeId(u32::try_from(position).expect("a graph of 2^32 nodes"));
+        let hash = match self.index.find(|i| &self.nodes[i], &node) {
+            Ok(position) => return id(position),
+            Err(hash) => hash,
+        };
         let rate = match &node {
             Node::Leaf(leaf) => leaf.rate(),
-            _ => operands(&node)
-                .iter()
-                .map(|o| self.rate(*o))
-                .max()
-                .unwrap_or(Rate::Scene),
+            _ => {
+                let mut rate = Rate::Scene;
+                node.visit(|operand| rate = rate.max(self.rate(operand)));
+                rate
+            }
         };
         self.rates.push(rate);
-        self.nodes.push(node.clone());
-        self.index.insert(node, id);
-        id
+        self.nodes.push(node);
+        self.index.push(hash);
+        id(self.nodes.len() - 1)
     }
 
     /// Checks what every pass relies on: operands stand before users, nodes are distinct.
@@ -245,12 +275,14 @@ impl Dag {
     /// Says which node breaks which rule.
     pub fn verify(&self) -> Result<(), String> {
         for (i, node) in self.nodes.iter().enumerate() {
-            if operands(node).iter().any(|o| o.index() >= i) {
+            let mut is_ahead = false;
+            node.visit(|operand| is_ahead |= operand.index() >= i);
+            if is_ahead {
                 return Err(format!(
                     "node {i} uses a node that does not stand before it"
                 ));
             }
-            if self.index.get(node).map(|id| id.index()) != Some(i) {
+            if self.index.find(|j| &self.nodes[j], node) != Ok(i) {
                 return Err(format!("node {i} stands twice"));
             }
         }
@@ -258,13 +290,43 @@ impl Dag {
     }
 }
 
-fn operands(node: &Node) -> Vec<NodeId> {
-    match node {
-        Node::Constant(_) | Node::Pi | Node::Leaf(_) => Vec::new(),
-        Node::Sum(terms) => terms.iter().map(|t| t.1).collect(),
-        Node::Product(factors) => factors.iter().map(|f| f.0).collect(),
-        Node::Call(_, arguments) => arguments.clone(),
+impl Node {
+    /// Calls `each` with every operand, first to last.
+    fn visit(&self, mut each: impl FnMut(NodeId)) {
+        match self {
+            Node::Constant(_) | Node::Pi | Node::Leaf(_) => {}
+            Node::Sum(terms) => terms.iter().for_each(|t| each(t.1)),
+            Node::Product(factors) => factors.iter().for_each(|f| each(f.0)),
+            Node::Call(_, arguments) => arguments.iter().for_each(|a| each(*a)),
+        }
     }
+}
+
+/// As derived, but for numbers, of which the hash of a [`BigRational`] takes a continued fraction: they are in lowest
+/// terms, and few expressions differ in nothing but large numbers.
+impl Hash for Node {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        discriminant(self).hash(state);
+        match self {
+            Node::Constant(value) => low_digits(value).hash(state),
+            Node::Pi => {}
+            Node::Leaf(leaf) => leaf.hash(state),
+            Node::Sum(terms) => {
+                for (coefficient, id) in terms {
+                    (low_digits(coefficient), id).hash(state);
+                }
+            }
+            Node::Product(factors) => factors.hash(state),
+            Node::Call(function, arguments) => (function, arguments).hash(state),
+        }
+    }
+}
+
+/// The low digits of numerator and denominator, with the sign: enough of a number for its hash.
+pub(crate) fn low_digits(value: &BigRational) -> u64 {
+    let low = |part: &BigInt| part.iter_u64_digits().next().unwrap_or(0);
+    let signed = low(value.numer()) << 1 | u64::from(value.is_negative());
+    signed ^ low(value.denom()).rotate_left(32)
 }
 
 impl fmt::Display for Dag {

@@ -1,12 +1,10 @@
 //! Exact derivatives: from residuals to the structural non-zeros of their Jacobian.
 //!
-//! Forward through the list once per unknown, over the nodes that depend on it: linear in the size of
-//! the graph for each unknown, and shared with everything else since derivatives are nodes of the
-//! same graph.
+//! Forward through the list once per unknown, over the nodes that depend on it, and shared with everything else since
+//! derivatives are nodes of the same graph.
 
 use crate::dag::Dag;
 use crate::dag::Elementary;
-use crate::dag::Leaf;
 use crate::dag::Node;
 use crate::dag::NodeId;
 use crate::normal::rational;
@@ -16,14 +14,20 @@ use num_traits::One;
 
 /// ∂rootᵢ/∂xⱼ wherever it is not identically zero, row by row; x are the unknowns.
 pub fn differentiate(dag: &mut Dag, roots: &[NodeId], n_unknowns: usize) -> Vec<Entry> {
-    let length = dag.nodes().len();
     let needed = dag.reachable(roots);
+    let mut derivatives: Vec<Option<NodeId>> = vec![None; needed.len()];
     let mut entries = Vec::new();
+    let mut depends = Vec::new();
     for col in 0..n_unknowns {
-        let variable = Leaf::Unknown(col);
-        let depends = dag.dependence(|leaf| leaf == variable);
-        let mut derivatives: Vec<Option<NodeId>> = vec![None; length];
-        for i in (0..length).filter(|&i| needed[i] && depends[i]) {
+        if col % 128 == 0 {
+            let masks = dag.unknowns(col).into_iter().zip(&needed).enumerate();
+            let masks = masks.filter(|(_, (mask, needed))| **needed && *mask != 0);
+            depends = masks.map(|(i, (mask, _))| (i, mask)).collect();
+        }
+        let bit = 1_u128 << (col % 128);
+        let own = depends.iter().filter(|(_, mask)| mask & bit != 0);
+        derivatives.fill(None);
+        for &(i, _) in own {
             derivatives[i] = derivative(dag, i, &derivatives);
         }
         for (row, root) in roots.iter().enumerate() {
@@ -39,7 +43,7 @@ pub fn differentiate(dag: &mut Dag, roots: &[NodeId], n_unknowns: usize) -> Vec<
 /// The derivative of a node from those of its operands; `None` where it vanishes.
 fn derivative(dag: &mut Dag, index: usize, operands: &[Option<NodeId>]) -> Option<NodeId> {
     let of = |id: NodeId| operands[id.index()];
-    let result = match dag.nodes()[index].clone() {
+    let result = match &dag.nodes()[index] {
         Node::Constant(_) | Node::Pi => return None,
         Node::Leaf(_) => dag.integer(1),
         Node::Sum(terms) => {
@@ -50,12 +54,14 @@ fn derivative(dag: &mut Dag, index: usize, operands: &[Option<NodeId>]) -> Optio
             dag.sum(terms)
         }
         Node::Product(factors) => {
+            let factors = factors.clone();
             let terms: Vec<_> = (0..factors.len())
                 .filter_map(|i| Some(product_term(dag, &factors, i, of(factors[i].0)?)))
                 .collect();
             dag.sum(terms)
         }
         Node::Call(function, arguments) => {
+            let (function, arguments) = (*function, arguments.clone());
             let mut terms = Vec::new();
             for (i, argument) in arguments.iter().enumerate() {
                 if let Some(inner) = of(*argument) {

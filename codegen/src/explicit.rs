@@ -7,6 +7,7 @@ use crate::diagnostic::Errors;
 use crate::linear::pattern;
 use crate::linear::solve;
 use crate::model::Model;
+use crate::sample::Typical;
 use crate::system::Entry;
 
 /// The rate of each state component, from `flow` (left − right) and its derivatives by the rates.
@@ -18,6 +19,7 @@ pub fn explicit(
     dag: &mut Dag,
     flow: &[NodeId],
     entries: &[Entry],
+    typical: &Typical,
 ) -> Result<Vec<NodeId>, Errors> {
     check_linear(model, dag, entries)?;
     let n = flow.len();
@@ -30,7 +32,7 @@ pub fn explicit(
         matrix[entry.row][entry.col] = entry.node;
     }
     let right: Vec<NodeId> = at_rest.iter().map(|&r| dag.neg(r)).collect();
-    match solve(dag, &matrix, &right) {
+    match solve(dag, &matrix, &right, typical) {
         Some(solution) => Ok(solution.x),
         None => Err(undetermined(model, &pattern(dag, &matrix).matching())),
     }

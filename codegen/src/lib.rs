@@ -9,7 +9,7 @@
 //! | [`lower`] | `Model` | [`system::Equations`] and residuals | scalars only, no time levels |
 //! | [`differentiate`] | residuals | Jacobian entries | exact, structural non-zeros only |
 //! | [`structure`] | residuals, entries | [`system::System`] | solvable, in block order |
-//! | [`eliminate`] | `System` | [`system::Core`] | what is iterated on is as small as it can be |
+//! | [`eliminate`] | `System` | [`system::Reduced`] | what is iterated on is as small as it can be |
 //! | [`stage`] | `System` | [`schedule::Schedule`] | each value at its rate |
 //! | [`emit`] | `Schedule` | Rust | |
 //!
@@ -32,6 +32,7 @@ pub mod explicit;
 pub mod finding;
 pub mod finite;
 pub mod function;
+pub mod index;
 pub mod linear;
 pub mod lower;
 pub mod matrix;

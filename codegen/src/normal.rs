@@ -26,7 +26,6 @@ use num_traits::One;
 use num_traits::Signed;
 use num_traits::ToPrimitive;
 use num_traits::Zero;
-use std::collections::BTreeMap;
 
 /// Most terms of a sum, or factors of a product, that are merged into a larger one. Larger merges
 /// less and shares more; without a bound a chain of sums would grow quadratically.
@@ -34,7 +33,7 @@ const MERGED: usize = 24;
 
 /// Largest numerator and denominator of a content that is taken out of a sum. Larger shares more
 /// and turns decimal coefficients into unwieldy integers.
-const CONTENT: u32 = 64;
+const CONTENT: u128 = 64;
 
 /// Largest exponent that products of powers are merged into.
 const EXPONENT: i32 = 1 << 12;
@@ -85,7 +84,7 @@ impl Dag {
             return self.constant(value);
         }
         let (inner, core) = self.split_coefficient(a);
-        let coefficient = coefficient * inner;
+        let coefficient = times(&coefficient, inner);
         if coefficient.is_zero() {
             self.integer(0)
         } else if coefficient.is_one() {
@@ -108,15 +107,20 @@ impl Dag {
     /// Σ cᵢ nᵢ
     pub fn sum(&mut self, terms: impl IntoIterator<Item = (BigRational, NodeId)>) -> NodeId {
         let one = self.integer(1);
-        let mut collected: BTreeMap<NodeId, BigRational> = BTreeMap::new();
+        let mut collected: Vec<(BigRational, NodeId)> = Vec::new();
         for (outer, id) in terms {
-            for (inner, core) in self.terms(id, one) {
-                let entry = collected.entry(core).or_insert_with(BigRational::zero);
-                *entry += &outer * inner;
+            let own = self.terms(id, one).into_iter();
+            collected.extend(own.map(|(inner, core)| (times(&outer, inner), core)));
+        }
+        collected.sort_by_key(|term| term.1);
+        let mut terms: Vec<(BigRational, NodeId)> = Vec::with_capacity(collected.len());
+        for (coefficient, id) in collected {
+            match terms.last_mut() {
+                Some(last) if last.1 == id => last.0 += coefficient,
+                _ => terms.push((coefficient, id)),
             }
         }
-        collected.retain(|_, coefficient| !coefficient.is_zero());
-        let terms: Vec<_> = collected.into_iter().map(|(id, c)| (c, id)).collect();
+        terms.retain(|(coefficient, _)| !coefficient.is_zero());
         match terms.as_slice() {
             [] => self.integer(0),
             [(coefficient, id)] if *id == one => self.constant(coefficient.clone()),
@@ -132,8 +136,11 @@ impl Dag {
             Node::Constant(value) => vec![(value.clone(), one)],
             Node::Sum(terms) => match terms.as_slice() {
                 [(coefficient, core)] => match self.node(*core) {
-                    Node::Sum(inner) if inner.len() <= MERGED && is_small(coefficient) => {
-                        inner.iter().map(|(c, n)| (coefficient * c, *n)).collect()
+                    Node::Sum(inner) if inner.len() <= MERGED && small(coefficient).is_some() => {
+                        inner
+                            .iter()
+                            .map(|(c, n)| (times(c, coefficient.clone()), *n))
+                            .collect()
                     }
                     _ => terms.clone(),
                 },
@@ -149,52 +156,65 @@ impl Dag {
     /// A sum of several terms as content times a sum of content one.
     fn primitive(&mut self, terms: Vec<(BigRational, NodeId)>, one: NodeId) -> NodeId {
         let content = content(&terms, one);
-        let terms = terms.into_iter().map(|(c, n)| (c / &content, n)).collect();
-        let core = self.intern(Node::Sum(terms));
         if content.is_one() {
-            core
-        } else {
-            self.intern(Node::Sum(vec![(content, core)]))
+            return self.intern(Node::Sum(terms));
         }
+        let terms = if (-&content).is_one() {
+            terms.into_iter().map(|(c, n)| (-c, n)).collect()
+        } else {
+            let quotient = |c: BigRational| {
+                // A whole number: the content is that of all terms.
+                let above = c.numer() / content.numer();
+                BigRational::from_integer(above * (content.denom() / c.denom()))
+            };
+            terms.into_iter().map(|(c, n)| (quotient(c), n)).collect()
+        };
+        let core = self.intern(Node::Sum(terms));
+        self.intern(Node::Sum(vec![(content, core)]))
     }
 
     /// Π nᵢ^eᵢ
     pub fn product(&mut self, factors: impl IntoIterator<Item = (NodeId, i32)>) -> NodeId {
         let mut coefficient = BigRational::one();
-        let mut collected: BTreeMap<NodeId, i32> = BTreeMap::new();
+        let mut collected: Vec<(NodeId, i32)> = Vec::new();
         let mut open: Vec<(NodeId, i32)> = factors.into_iter().collect();
         while let Some((id, exponent)) = open.pop() {
             match self.node(id) {
                 Node::Constant(value) if folds(value, exponent) => {
-                    coefficient *= value.pow(exponent);
+                    coefficient = times(&coefficient, power(value, exponent));
                 }
                 Node::Sum(terms) if terms.len() == 1 && folds(&terms[0].0, exponent) => {
-                    coefficient *= terms[0].0.pow(exponent);
+                    coefficient = times(&coefficient, power(&terms[0].0, exponent));
                     open.push((terms[0].1, exponent));
                 }
                 Node::Product(inner) if inner.len() <= MERGED && merges(inner, exponent) => {
                     open.extend(inner.iter().map(|(n, e)| (*n, e * exponent)));
                 }
                 Node::Call(Elementary::Sqrt, argument) => {
-                    let total = collected.remove(&id).unwrap_or(0) + exponent;
+                    let known = collected.iter().position(|factor| factor.0 == id);
+                    let known = known.map_or(0, |at| collected.swap_remove(at).1);
+                    let total = known + exponent;
                     if total % 2 == 0 {
                         open.push((argument[0], total / 2));
                     } else {
-                        collected.insert(id, total);
+                        collected.push((id, total));
                     }
                 }
-                _ => *collected.entry(id).or_default() += exponent,
+                _ => match collected.iter_mut().find(|factor| factor.0 == id) {
+                    Some(factor) => factor.1 += exponent,
+                    None => collected.push((id, exponent)),
+                },
             }
         }
-        collected.retain(|_, exponent| *exponent != 0);
+        collected.retain(|factor| factor.1 != 0);
+        collected.sort_unstable_by_key(|factor| factor.0);
         if coefficient.is_zero() {
             return self.integer(0);
         }
-        let factors: Vec<_> = collected.into_iter().collect();
-        let core = match factors.as_slice() {
+        let core = match collected.as_slice() {
             [] => return self.constant(coefficient),
             [(id, 1)] => *id,
-            _ => self.intern(Node::Product(factors)),
+            _ => self.intern(Node::Product(collected)),
         };
         self.scale(coefficient, core)
     }
@@ -319,6 +339,28 @@ pub fn rational(value: i64) -> BigRational {
     BigRational::from_integer(value.into())
 }
 
+/// a b, at little cost if one of them is 1, as it usually is, or both are whole.
+pub fn times(a: &BigRational, b: BigRational) -> BigRational {
+    if a.is_one() {
+        b
+    } else if b.is_one() {
+        a.clone()
+    } else if a.denom().is_one() && b.denom().is_one() {
+        BigRational::from_integer(a.numer() * b.numer())
+    } else {
+        a * b
+    }
+}
+
+/// aⁿ, at no cost for n = 1: the usual case.
+pub fn power(a: &BigRational, exponent: i32) -> BigRational {
+    if exponent == 1 {
+        a.clone()
+    } else {
+        a.pow(exponent)
+    }
+}
+
 /// 1/n!
 fn inverse_factorial(n: u32) -> BigRational {
     let factorial: BigInt = (1..=n).map(BigInt::from).product();
@@ -338,12 +380,15 @@ fn exact_root(x: &BigRational) -> Option<BigRational> {
 fn content(terms: &[(BigRational, NodeId)], one: NodeId) -> BigRational {
     let leading = terms.iter().find(|t| t.1 != one).unwrap_or(&terms[0]);
     let sign = leading.0.signum();
-    if !terms.iter().all(|t| is_small(&t.0)) {
+    let small: Option<Vec<(u128, u128)>> = terms.iter().map(|t| small(&t.0)).collect();
+    let Some(small) = small else { return sign };
+    // The least common multiple of all numbers up to `CONTENT` is below 2^128.
+    let numerator = small.iter().fold(0, |g, t| t.0.gcd(&g));
+    let denominator = small.iter().fold(1, |l, t| t.1.lcm(&l));
+    if numerator == 1 && denominator == 1 {
         return sign;
     }
-    let numerator = terms.iter().fold(BigInt::zero(), |g, t| g.gcd(t.0.numer()));
-    let denominator = terms.iter().fold(BigInt::one(), |l, t| l.lcm(t.0.denom()));
-    sign * BigRational::new(numerator, denominator)
+    sign * BigRational::new(numerator.into(), denominator.into())
 }
 
 /// `value^exponent` is a number of reasonable length.
@@ -360,10 +405,11 @@ fn merges(factors: &[(NodeId, i32)], exponent: i32) -> bool {
         .all(|(_, e)| e.checked_mul(exponent).is_some_and(|e| e.abs() <= EXPONENT))
 }
 
-/// A ratio of small whole numbers.
-fn is_small(c: &BigRational) -> bool {
-    let limit = BigInt::from(CONTENT);
-    c.numer().abs() <= limit && c.denom() <= &limit
+/// The magnitudes of numerator and denominator, if they are small.
+fn small(c: &BigRational) -> Option<(u128, u128)> {
+    let magnitude = |part: &BigInt| Some(u128::from(part.magnitude().to_u32()?));
+    let parts = (magnitude(c.numer())?, magnitude(c.denom())?);
+    (parts.0 <= CONTENT && parts.1 <= CONTENT).then_some(parts)
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]

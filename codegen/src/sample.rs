@@ -3,6 +3,7 @@
 
 use crate::dag::Dag;
 use crate::dag::Leaf;
+use crate::dag::NodeId;
 
 /// A generic point, given by its number.
 #[derive(Clone, Copy, Debug)]
@@ -35,17 +36,41 @@ impl Sample {
         }
     }
 
-    /// The value of every node at this point, but with the step `h`.
-    pub fn evaluate_with_step(self, dag: &Dag, h: f64) -> Vec<f64> {
-        dag.evaluate(|leaf| match leaf {
+    /// The same, but with the step `h`.
+    pub fn value_with_step(self, leaf: Leaf, h: f64) -> f64 {
+        match leaf {
             Leaf::StepSize => h,
             _ => self.value(leaf),
-        })
+        }
     }
 
     /// The value of every node at this point.
     pub fn evaluate(self, dag: &Dag) -> Vec<f64> {
         dag.evaluate(|leaf| self.value(leaf))
+    }
+}
+
+/// Points with the parameters as the file has them, generic otherwise: what is singular there would be so in every run
+/// that leaves the parameters alone. Off-diagonal moments of inertia that are 0 are no pivots.
+#[derive(Clone, Debug)]
+pub struct Typical {
+    parameters: Vec<f64>,
+}
+
+impl Typical {
+    /// The points with these defaults, which are constant.
+    pub fn new(dag: &Dag, defaults: &[NodeId]) -> Self {
+        Self {
+            parameters: dag.tape(defaults).evaluate(|_| f64::NAN),
+        }
+    }
+
+    /// The value of an input at the `number`-th point, with the step `h`.
+    pub fn value(&self, number: u64, leaf: Leaf, h: f64) -> f64 {
+        match leaf {
+            Leaf::Parameter(i) => self.parameters[i],
+            _ => Sample::generic(number).value_with_step(leaf, h),
+        }
     }
 }
 

@@ -4,9 +4,13 @@ use crate::ast::Form;
 use crate::dag::Elementary;
 use crate::dag::Leaf;
 use crate::dag::Rate;
+use crate::dag::low_digits;
 use num_rational::BigRational;
 use num_traits::One;
 use num_traits::Signed;
+use std::hash::Hash;
+use std::hash::Hasher;
+use std::mem::discriminant;
 use std::ops::AddAssign;
 
 /// Index of a value in its [`Schedule`].
@@ -22,7 +26,7 @@ impl ValueId {
 
 /// How a value comes about. Unlike a node of the graph, a sum or product here is split so that each
 /// part is computed at its own rate.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Op {
     /// An exact number.
     Constant(BigRational),
@@ -124,6 +128,36 @@ pub struct Program {
     pub flow: Option<Schedule>,
     /// One per form.
     pub solvers: Vec<Solver>,
+}
+
+/// As derived, but for numbers, of which the hash of a [`BigRational`] takes a continued fraction: they are in lowest
+/// terms, and few expressions differ in nothing but large numbers.
+impl Hash for Op {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        discriminant(self).hash(state);
+        match self {
+            Op::Constant(value) => low_digits(value).hash(state),
+            Op::Pi => {}
+            Op::Leaf(leaf) => leaf.hash(state),
+            Op::Sum(terms) => {
+                for (coefficient, id) in terms {
+                    (low_digits(coefficient), id).hash(state);
+                }
+            }
+            Op::Product {
+                coefficient,
+                numerator,
+                denominator,
+            } => (
+                coefficient.numer(),
+                coefficient.denom(),
+                numerator,
+                denominator,
+            )
+                .hash(state),
+            Op::Call(function, arguments) => (function, arguments).hash(state),
+        }
+    }
 }
 
 impl Op {

@@ -25,6 +25,7 @@ use crate::dag::Rate;
 use crate::schedule::Program;
 use crate::schedule::Schedule;
 use crate::schedule::Solver;
+use crate::system::Core;
 use crate::system::Entry;
 use crate::system::Equations;
 use crate::system::System;
@@ -66,19 +67,21 @@ fn solver(system: &System) -> Solver {
         let roots = correction.x.iter().chain([&correction.growth]);
         ("correction", Rate::Iteration, roots.copied().collect())
     });
-    let core = system.core.as_ref().map(|(core, jacobian)| {
-        let kernels = kernels(&core.residual, jacobian, &core.guess, &core.next);
-        let growth = ("growth", Rate::Iteration, vec![core.growth]);
-        let kernels = kernels
-            .into_iter()
-            .chain([growth])
-            .chain(adding(&core.change));
+    let core = system.core.as_ref().map(|core| {
+        let Core {
+            reduced,
+            jacobian,
+            change,
+        } = core;
+        let kernels = kernels(&reduced.residual, jacobian, &reduced.guess, &reduced.next);
+        let growth = ("growth", Rate::Iteration, vec![reduced.growth]);
+        let kernels = kernels.into_iter().chain([growth]).chain(adding(change));
         let kernels: Vec<Wanted> = kernels.chain(correction.clone()).collect();
         Box::new(Solver {
             form: system.form,
             pattern: jacobian.iter().map(|e| (e.row, e.col)).collect(),
             schedule: stage(&system.dag, &kernels),
-            unknowns: core.unknowns.clone(),
+            unknowns: reduced.unknowns.clone(),
             core: None,
         })
     });

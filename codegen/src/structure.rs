@@ -1,7 +1,6 @@
 //! From residuals and their derivatives to a solvable system in block-triangular order.
 
 use crate::dag::Dag;
-use crate::dag::Leaf;
 use crate::diagnostic::Errors;
 use crate::model::Model;
 use crate::pattern::Pattern;
@@ -27,39 +26,55 @@ pub fn structure(model: &Model, dag: &Dag, entries: &[Entry]) -> Result<Vec<Bloc
         return Err(undetermined(model, entries, &matching));
     }
     let blocks = pattern.blocks(&equation_of).into_iter();
+    let unknowns = dag.unknowns(0);
     let blocks: Vec<Block> = blocks
-        .map(|(rows, cols)| block(dag, entries, rows, cols))
+        .map(|(rows, cols)| block(&unknowns, entries, rows, cols))
         .collect();
     let mut errors = Errors::default();
-    let points = (0..POINTS).map(|number| Sample::generic(number).evaluate(dag));
-    let points: Vec<Vec<f64>> = points.collect();
-    for block in &blocks {
-        if let Some(rows) = dependence(block, entries, &points) {
-            dependent(model, &rows, &mut errors);
-        }
+    for rows in dependences(dag, &blocks, entries) {
+        dependent(model, &rows, &mut errors);
     }
     errors.or(blocks)
 }
 
-/// The rows of a vanishing combination of the block's equations, if there is one at all points where its
-/// entries have a value.
-fn dependence(block: &Block, entries: &[Entry], points: &[Vec<f64>]) -> Option<Vec<usize>> {
-    let mut found = None;
-    for values in points {
-        let mut matrix = vec![vec![0.0; block.cols.len()]; block.rows.len()];
-        for entry in entries {
-            let row = block.rows.iter().position(|&row| row == entry.row);
-            let col = block.cols.iter().position(|&col| col == entry.col);
-            if let (Some(row), Some(col)) = (row, col) {
-                matrix[row][col] = values[entry.node.index()];
-            }
+/// For each block with one the rows of a vanishing combination of its equations. It vanishes at all points where the
+/// entries of the block have a value.
+fn dependences(dag: &Dag, blocks: &[Block], entries: &[Entry]) -> Vec<Vec<usize>> {
+    let nodes: Vec<_> = entries.iter().map(|entry| entry.node).collect();
+    let tape = dag.tape(&nodes);
+    let mut doubtful: Vec<(&Block, Vec<usize>)> = blocks.iter().map(|b| (b, Vec::new())).collect();
+    for number in 0..POINTS {
+        if doubtful.is_empty() {
+            break;
         }
-        if matrix.iter().flatten().all(|entry| entry.is_finite()) {
-            let rows = dependent_rows(&matrix)?;
-            found = Some(rows.into_iter().map(|row| block.rows[row]).collect());
+        let point = Sample::generic(number);
+        let values = tape.evaluate(|leaf| point.value(leaf));
+        doubtful.retain_mut(|(block, found)| {
+            let matrix = matrix(block, entries, &values);
+            if !matrix.iter().flatten().all(|entry| entry.is_finite()) {
+                return true;
+            }
+            let rows = dependent_rows(&matrix);
+            let is_singular = rows.is_some();
+            *found = rows.into_iter().flatten().map(|i| block.rows[i]).collect();
+            is_singular
+        });
+    }
+    let found = doubtful.into_iter().map(|(_, rows)| rows);
+    found.filter(|rows| !rows.is_empty()).collect()
+}
+
+/// The Jacobian of a block from the values of all entries.
+fn matrix(block: &Block, entries: &[Entry], values: &[f64]) -> Vec<Vec<f64>> {
+    let mut matrix = vec![vec![0.0; block.cols.len()]; block.rows.len()];
+    for (entry, value) in entries.iter().zip(values) {
+        let row = block.rows.binary_search(&entry.row);
+        let col = block.cols.binary_search(&entry.col);
+        if let (Ok(row), Ok(col)) = (row, col) {
+            matrix[row][col] = *value;
         }
     }
-    found
+    matrix
 }
 
 /// Says which equations follow from each other.
@@ -96,14 +111,14 @@ fn dependent(model: &Model, rows: &[usize], errors: &mut Errors) {
     );
 }
 
-/// A block and whether its equations are linear in its unknowns.
-fn block(dag: &Dag, entries: &[Entry], rows: Vec<usize>, cols: Vec<usize>) -> Block {
-    let depends = dag.dependence(|leaf| matches!(leaf, Leaf::Unknown(i) if cols.contains(&i)));
+/// A block and whether its equations are linear in its unknowns; `unknowns` are those that each node depends on.
+fn block(unknowns: &[u128], entries: &[Entry], rows: Vec<usize>, cols: Vec<usize>) -> Block {
+    let own = cols.iter().fold(0, |mask, col| mask | 1 << col);
     let inside = |e: &&Entry| rows.contains(&e.row) && cols.contains(&e.col);
     let linear = entries
         .iter()
         .filter(inside)
-        .all(|e| !depends[e.node.index()]);
+        .all(|e| unknowns[e.node.index()] & own == 0);
     Block { rows, cols, linear }
 }
 

@@ -3,6 +3,7 @@
 use crate::ast::Form;
 use crate::dag::Dag;
 use crate::dag::NodeId;
+use crate::dag::Rate;
 use crate::model::Shape;
 
 /// A solver as scalars, before its derivative is known.
@@ -101,18 +102,28 @@ pub struct System {
     pub change: Option<Vec<NodeId>>,
     /// Block-triangular order.
     pub blocks: Vec<Block>,
-    /// What is left to iterate on, if that is less, and the structural non-zeros of its Jacobian, row by row;
-    /// columns are positions in [`Core::unknowns`].
-    pub core: Option<(Core, Vec<Entry>)>,
+    /// What is left to iterate on, if that is less.
+    pub core: Option<Core>,
     /// Newton's correction of what is iterated on, the core or else all, where it is short.
     pub correction: Option<Correction>,
     /// What Newton's method would be given by each claim of the model, if it gives anything that fits.
     pub printed: Vec<Option<Printed>>,
 }
 
-/// A solver after unknowns that enter linearly are eliminated.
+/// What is left of a solver, with its derivative.
 #[derive(Clone, Debug)]
 pub struct Core {
+    /// Equations and unknowns.
+    pub reduced: Reduced,
+    /// Structural non-zeros, row by row; columns are positions in [`Reduced::unknowns`].
+    pub jacobian: Vec<Entry>,
+    /// What a step adds to the state, as for the whole solver.
+    pub change: Option<Vec<NodeId>>,
+}
+
+/// A solver after unknowns that enter linearly are eliminated, before its derivative is known.
+#[derive(Clone, Debug)]
+pub struct Reduced {
     /// The unknowns that are left, ascending.
     pub unknowns: Vec<usize>,
     /// As many equations.
@@ -121,8 +132,6 @@ pub struct Core {
     pub guess: Vec<NodeId>,
     /// The state after the step.
     pub next: Vec<NodeId>,
-    /// What it adds to the state, as for the whole solver.
-    pub change: Option<Vec<NodeId>>,
     /// How many times larger than rounding the error of the eliminated unknowns may be; the number 0 if no
     /// divisor can cancel.
     pub growth: NodeId,
@@ -159,4 +168,43 @@ pub struct Equations {
     pub outputs: Vec<NodeId>,
     /// dx/dt of each state component, if the model has a flow.
     pub flow: Option<Vec<NodeId>>,
+}
+
+/// How many times the operations of a solver its core may take. They are counted before they are staged and shared, which
+/// halves them, and operations in the loops of a dense solve take longer than unrolled ones; above 2, a core is slower.
+const FAR_MORE: usize = 2;
+
+impl Core {
+    /// True if a step with it does not take far more operations than one with all of `residual`, `jacobian` and `next`:
+    /// what is computed in every step and iteration, and a dense solve. What is computed once per run is not counted.
+    pub fn pays(
+        &self,
+        dag: &Dag,
+        residual: &[NodeId],
+        jacobian: &[Entry],
+        next: &[NodeId],
+    ) -> bool {
+        let reduced = &self.reduced;
+        let growth = [reduced.growth];
+        let own = operations(
+            dag,
+            &self.jacobian,
+            &[&reduced.residual, &reduced.next, &growth],
+        );
+        let all = operations(dag, jacobian, &[residual, next]);
+        own + dense_solve(reduced.residual.len()) <= FAR_MORE * (all + dense_solve(residual.len()))
+    }
+}
+
+/// Operations of rate Step and Iteration.
+fn operations(dag: &Dag, jacobian: &[Entry], others: &[&[NodeId]]) -> usize {
+    let entries = jacobian.iter().map(|entry| entry.node);
+    let roots: Vec<NodeId> = others.concat().into_iter().chain(entries).collect();
+    let operations = dag.operations(&roots);
+    operations[Rate::Step as usize] + operations[Rate::Iteration as usize]
+}
+
+/// Operations of Gaussian elimination with n unknowns: 2n³/3 + 2n², rounded down.
+fn dense_solve(n: usize) -> usize {
+    2 * n * n * n / 3 + 2 * n * n
 }

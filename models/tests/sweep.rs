@@ -86,7 +86,7 @@ fn every_model_and_form_can_be_swept() {
 #[test]
 fn who_fails_has_a_row_that_says_so() {
     let folder = folder("sweep_failures");
-    let line = "sweep elastic --over k=20..2000:4 --step 0.5 --until 300 --out sweep.csv";
+    let line = "sweep elastic --over c=20..2000:4 --step 0.5 --until 300 --out sweep.csv";
     let outcome = residua_in(&folder, line);
     assert_eq!(outcome.code, 1, "{}", outcome.stderr);
     let (header, rows) = table(&fs::read_to_string(folder.join("sweep.csv")).unwrap());

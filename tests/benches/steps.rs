@@ -1,17 +1,28 @@
-//! Time per step of each of the paper's models: the generated stepper against straightforward nalgebra with
-//! the Jacobian derived by hand (`tests/src/reference/`), on the paper's runs at h = 0.01 s.
+//! Time per step, us and the alternatives, in one process on the same trajectories:
+//! `cargo bench -p residua-tests --bench steps`. Ratios are what counts; they are to the first row.
 //!
-//! Both run the same trajectory from the same start; their end states are compared before anything is timed.
+//! | row | what it is |
+//! |---|---|
+//! | by hand | nalgebra with the Jacobian derived by hand, static LU, no tricks |
+//! | nalgebra | the same with the generated dense pair |
+//! | num-dual | the same with the Jacobian by forward-mode dual numbers, a pass per unknown |
+//! | dense | our stepper on all unknowns |
+//! | structured | our stepper, as it comes |
+//!
+//! All iterate from the known state, or from what they extrapolate, to corrections below 1e-12; end states are compared
+//! before anything is timed.
 
-use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use nalgebra::{Const, DimMin};
-use residua::{Model, Record, Solvable, Stepper};
+use num_dual::Dual64;
+use residua::{Model, Record, Settings, Solvable, Stepper, Strategy, System};
 use residua_models::dsl as models;
+use residua_tests::race::{Lane, race};
 use residua_tests::reference::{
     Form, nalgebra_step, planar_algebra, planar_angle, planar_cayley, planar_group,
     planar_recursive, planar_reduced, spatial_cardan, spatial_group, spatial_recursive,
     spatial_reduced,
 };
+use residua_tests::rivals::{Number, Pair, Straightforward};
 use std::hint::black_box;
 
 /// Steps per sample, from the start of the run: long enough for the setup not to count.
@@ -20,88 +31,102 @@ const STEPS: u64 = 500;
 /// The paper's finer step, s.
 const H: f64 = 0.01;
 
-/// Largest difference of the end states, for numbers of order one: rounding, grown over 5 s.
-const AGREEMENT: f64 = 1e-9;
-
-fn generated<S: Solvable<f64>>() -> Stepper<S> {
-    let parameters = <S::Model as Model<f64>>::Parameters::default();
-    let start = S::Model::start(&parameters);
-    Stepper::new(black_box(parameters), black_box(start), black_box(H)).expect("a valid run")
+fn main() {
+    // Cargo passes `--bench`, and tests of benches nothing: then a round is enough.
+    let rounds = if std::env::args().any(|a| a == "--bench") {
+        41
+    } else {
+        1
+    };
+    by_hand::<models::planar_angle::Next, planar_angle::Next, 2, 2>(rounds);
+    by_hand::<models::planar_angle::Increment, planar_angle::Increment, 2, 2>(rounds);
+    by_hand::<models::planar_reduced::Next, planar_reduced::Next, 3, 3>(rounds);
+    by_hand::<models::planar_reduced::Increment, planar_reduced::Increment, 3, 3>(rounds);
+    by_hand::<models::planar_recursive::Increment, planar_recursive::Increment, 5, 5>(rounds);
+    by_hand::<models::planar_group::Next, planar_group::Next, 5, 5>(rounds);
+    by_hand::<models::planar_group::Increment, planar_group::Increment, 5, 5>(rounds);
+    by_hand::<models::planar_algebra::Next, planar_algebra::Next, 2, 2>(rounds);
+    by_hand::<models::planar_algebra::Increment, planar_algebra::Increment, 2, 2>(rounds);
+    by_hand::<models::planar_cayley::Next, planar_cayley::Next, 2, 2>(rounds);
+    by_hand::<models::planar_cayley::Increment, planar_cayley::Increment, 2, 2>(rounds);
+    by_hand::<models::spatial_recursive::Increment, spatial_recursive::Increment, 12, 6>(rounds);
+    by_hand::<models::spatial_reduced::Next, spatial_reduced::Next, 6, 6>(rounds);
+    by_hand::<models::spatial_reduced::Increment, spatial_reduced::Increment, 6, 6>(rounds);
+    by_hand::<models::spatial_group::Increment, spatial_group::Increment, 12, 12>(rounds);
+    by_hand::<models::spatial_cardan::Increment, spatial_cardan::Increment, 6, 6>(rounds);
+    generated::<models::double_planar::Increment, 4>("double_planar increment", rounds);
+    generated::<models::elastic::Increment, 4>("elastic increment", rounds);
+    generated::<models::spherical::Increment, 6>("spherical increment", rounds);
+    generated::<models::lattice::Increment, 12>("lattice increment", rounds);
 }
 
-fn by_hand<S: Solvable<f64>, F: Form<M, N>, const M: usize, const N: usize>()
--> nalgebra_step::Stepper<F, M, N>
-where
-    Const<N>: DimMin<Const<N>, Output = Const<N>>,
-{
-    let parameters = <S::Model as Model<f64>>::Parameters::default();
-    let start = S::Model::start(&parameters).to_array();
-    let parameters = parameters.to_array();
-    let (parameters, start) = (black_box(parameters.as_ref()), black_box(start.as_ref()));
-    nalgebra_step::Stepper::new(parameters, start, black_box(H))
-}
-
-fn run_generated<S: Solvable<f64>>(stepper: &mut Stepper<S>) {
-    for _ in 0..STEPS {
-        black_box(stepper.step()).expect("Newton converges");
-    }
-}
-
-fn run_by_hand<F: Form<M, N>, const M: usize, const N: usize>(
-    stepper: &mut nalgebra_step::Stepper<F, M, N>,
+/// The form `F`, coded by hand, and the generated solver `S` of the same equations.
+fn by_hand<S: Rivalled<N> + 'static, F: Form<M, N> + 'static, const M: usize, const N: usize>(
+    rounds: usize,
 ) where
     Const<N>: DimMin<Const<N>, Output = Const<N>>,
 {
-    for _ in 0..STEPS {
-        black_box(stepper.step()).expect("Newton converges");
-    }
+    let first = Lane::new("by hand", || {
+        let parameters = <<S as System<f64>>::Model as Model<f64>>::Parameters::default();
+        let start = <S as System<f64>>::Model::start(&parameters).to_array();
+        let parameters = parameters.to_array();
+        let (parameters, start) = (black_box(parameters.as_ref()), black_box(start.as_ref()));
+        let mut stepper = nalgebra_step::Stepper::<F, M, N>::new(parameters, start, black_box(H));
+        for _ in 0..STEPS {
+            black_box(stepper.step()).expect("Newton converges");
+        }
+        stepper.state().to_vec()
+    });
+    let lanes = [first].into_iter().chain(ours::<S, N>()).collect();
+    race(&format!("{} {}", F::MODEL, F::FORM), STEPS, rounds, lanes);
 }
 
-/// Times the generated solver `S` and the form `F`, which must be the same equations.
-fn compare<S: Solvable<f64>, F: Form<M, N>, const M: usize, const N: usize>(c: &mut Criterion)
+/// A model that nobody has coded by hand.
+fn generated<S: Rivalled<N> + 'static, const N: usize>(title: &str, rounds: usize)
 where
     Const<N>: DimMin<Const<N>, Output = Const<N>>,
 {
-    let (mut ours, mut theirs) = (generated::<S>(), by_hand::<S, F, M, N>());
-    run_generated(&mut ours);
-    run_by_hand(&mut theirs);
-    for (a, b) in ours.state_array().as_ref().iter().zip(theirs.state()) {
-        // Written so that a NaN fails.
-        assert!((a - b).abs() <= AGREEMENT, "{}: {a} and {b}", F::MODEL);
+    race(title, STEPS, rounds, ours::<S, N>());
+}
+
+/// A generated solver that all lanes can run.
+trait Rivalled<const N: usize>: Solvable<f64> + Pair<f64, N> + Pair<Dual64, N> {}
+impl<S: Solvable<f64> + Pair<f64, N> + Pair<Dual64, N>, const N: usize> Rivalled<N> for S {}
+
+fn ours<S: Rivalled<N> + 'static, const N: usize>() -> Vec<Lane>
+where
+    Const<N>: DimMin<Const<N>, Output = Const<N>>,
+{
+    vec![
+        Lane::new("nalgebra", straightforward::<S, f64, N>),
+        Lane::new("num-dual", straightforward::<S, Dual64, N>),
+        Lane::new("dense", || stepper::<S>(Strategy::Full)),
+        Lane::new("structured", || stepper::<S>(Strategy::Core)),
+    ]
+}
+
+fn straightforward<S: Pair<T, N>, T: Number, const N: usize>() -> Vec<f64>
+where
+    Const<N>: DimMin<Const<N>, Output = Const<N>>,
+{
+    let mut rival = Straightforward::<S, T, N>::new(H);
+    for _ in 0..STEPS {
+        black_box(rival.step()).expect("Newton converges");
     }
-
-    let mut group = c.benchmark_group(format!("{} {}", F::MODEL, F::FORM));
-    group.throughput(Throughput::Elements(STEPS));
-    group.bench_function("generated", |b| {
-        b.iter_batched_ref(generated::<S>, run_generated, BatchSize::SmallInput);
-    });
-    group.bench_function("nalgebra", |b| {
-        b.iter_batched_ref(by_hand::<S, F, M, N>, run_by_hand, BatchSize::SmallInput);
-    });
-    group.finish();
+    rival.state()
 }
 
-fn planar(c: &mut Criterion) {
-    compare::<models::planar_angle::Next, planar_angle::Next, 2, 2>(c);
-    compare::<models::planar_angle::Increment, planar_angle::Increment, 2, 2>(c);
-    compare::<models::planar_reduced::Next, planar_reduced::Next, 3, 3>(c);
-    compare::<models::planar_reduced::Increment, planar_reduced::Increment, 3, 3>(c);
-    compare::<models::planar_recursive::Increment, planar_recursive::Increment, 5, 5>(c);
-    compare::<models::planar_group::Next, planar_group::Next, 5, 5>(c);
-    compare::<models::planar_group::Increment, planar_group::Increment, 5, 5>(c);
-    compare::<models::planar_algebra::Next, planar_algebra::Next, 2, 2>(c);
-    compare::<models::planar_algebra::Increment, planar_algebra::Increment, 2, 2>(c);
-    compare::<models::planar_cayley::Next, planar_cayley::Next, 2, 2>(c);
-    compare::<models::planar_cayley::Increment, planar_cayley::Increment, 2, 2>(c);
+fn stepper<S: Solvable<f64>>(strategy: Strategy) -> Vec<f64> {
+    let parameters = black_box(<S::Model as Model<f64>>::Parameters::default());
+    let start = black_box(S::Model::start(&parameters));
+    let settings = Settings {
+        strategy,
+        ..Settings::default()
+    };
+    let stepper = Stepper::<S>::new(parameters, start, black_box(H)).expect("a valid run");
+    let mut stepper = stepper.with_settings(settings);
+    for _ in 0..STEPS {
+        black_box(stepper.step()).expect("Newton converges");
+    }
+    stepper.state_array().as_ref().to_vec()
 }
-
-fn spatial(c: &mut Criterion) {
-    compare::<models::spatial_recursive::Increment, spatial_recursive::Increment, 12, 6>(c);
-    compare::<models::spatial_reduced::Next, spatial_reduced::Next, 6, 6>(c);
-    compare::<models::spatial_reduced::Increment, spatial_reduced::Increment, 6, 6>(c);
-    compare::<models::spatial_group::Increment, spatial_group::Increment, 12, 12>(c);
-    compare::<models::spatial_cardan::Increment, spatial_cardan::Increment, 6, 6>(c);
-}
-
-criterion_group!(benches, planar, spatial);
-criterion_main!(benches);

@@ -5,5 +5,7 @@ pub mod measured;
 pub mod number;
 pub mod points;
 pub mod printed;
+pub mod race;
 pub mod reference;
 pub mod reference_data;
+pub mod rivals;

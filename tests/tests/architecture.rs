@@ -4,12 +4,13 @@ use std::fs;
 use std::path::Path;
 
 /// Modules that turn one data type into another, with what belongs to each.
-const STAGES: [&str; 11] = [
+const STAGES: [&str; 12] = [
     "parse",
     "check",
     "lower",
     "differentiate",
     "explicit",
+    "finite",
     "structure",
     "eliminate",
     "claims",

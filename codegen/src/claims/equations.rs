@@ -54,14 +54,8 @@ pub(super) fn against(
                 } else {
                     names.text(printed[row])
                 };
-                differences.push(Difference {
-                    row,
-                    col: 0,
-                    entry: names.row(&claim.equations, row),
-                    printed: text,
-                    derived: times(factor, names.text(derived[row])),
-                    values,
-                });
+                let derived = times(factor, names.text(derived[row]));
+                differences.push(difference(names, claim, row, text, derived, values));
             }
         }
     }
@@ -77,15 +71,9 @@ pub(super) fn identity(
 ) -> Vec<Difference> {
     let mut differences = Vec::new();
     for (row, &(left, right)) in sides.iter().enumerate() {
-        if let Some((right_value, left_value)) = points.disagreement(right, left, 1.0) {
-            differences.push(Difference {
-                row,
-                col: 0,
-                entry: names.row(&claim.equations, row),
-                printed: names.text(right),
-                derived: names.text(left),
-                values: (right_value, left_value),
-            });
+        if let Some(values) = points.disagreement(right, left, 1.0) {
+            let (printed, derived) = (names.text(right), names.text(left));
+            differences.push(difference(names, claim, row, printed, derived, values));
         }
     }
     differences
@@ -102,17 +90,30 @@ pub(super) fn vanishing(
     let mut differences = Vec::new();
     for (row, (&printed, &along)) in printed.iter().zip(along).enumerate() {
         if let Some((value, _)) = points.disagreement(along, along, 0.0) {
-            differences.push(Difference {
-                row,
-                col: 0,
-                entry: names.row(&claim.equations, row),
-                printed: names.text(printed),
-                derived: "0".to_owned(),
-                values: (value, 0.0),
-            });
+            let (printed, derived, values) = (names.text(printed), "0".to_owned(), (value, 0.0));
+            differences.push(difference(names, claim, row, printed, derived, values));
         }
     }
     differences
+}
+
+/// The component `row` of `claim` that is wrong.
+fn difference(
+    names: &Names,
+    claim: &Claim,
+    row: usize,
+    printed: String,
+    derived: String,
+    values: (f64, f64),
+) -> Difference {
+    Difference {
+        row,
+        col: 0,
+        entry: names.row(&claim.equations, row),
+        printed,
+        derived,
+        values,
+    }
 }
 
 /// The factor between printed and derived that most components of an equation have; 1 if none has any.

@@ -49,6 +49,9 @@ pub fn discrete_claims(
     jacobian: &[Entry],
     derivatives: &[Vec<Entry>],
 ) -> Result<Judged, Errors> {
+    if model.claims.is_empty() {
+        return Ok(Judged::default());
+    }
     let n = discrete.residual.len();
     let own = Printed {
         residual: discrete.residual.clone(),
@@ -144,6 +147,9 @@ pub fn continuous_claims(
     claims: &[Claimed],
     rates: Option<&[NodeId]>,
 ) -> Result<Vec<Option<Finding>>, Errors> {
+    if model.claims.is_empty() {
+        return Ok(Vec::new());
+    }
     let mut along = Vec::new();
     for claimed in claims {
         along.push(rates.map(|rates| {

@@ -38,7 +38,12 @@ impl Dag {
 
 /// The double nearest to a rational number.
 pub fn to_f64(value: &BigRational) -> f64 {
-    value.to_f64().unwrap_or(f64::NAN)
+    let nearest = if value.is_integer() {
+        value.numer().to_f64()
+    } else {
+        value.to_f64()
+    };
+    nearest.unwrap_or(f64::NAN)
 }
 
 pub(super) fn call(function: Elementary, x: f64, y: f64) -> f64 {

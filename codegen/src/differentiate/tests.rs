@@ -1,4 +1,5 @@
 use super::*;
+use crate::dag::Leaf;
 use crate::sample::Sample;
 
 /// Every elementary function, with arguments inside its domain at the sample points.

@@ -3,6 +3,7 @@
 use crate::model::Shape;
 use proc_macro2::Ident;
 use proc_macro2::Span;
+use std::collections::HashMap;
 use std::collections::HashSet;
 
 /// Items and variants whose name in a `let` would be a pattern instead of a variable.
@@ -32,6 +33,8 @@ const ARGUMENTS: &[&str] = &[
 /// The identifiers of one scope.
 pub(super) struct Scope {
     taken: HashSet<String>,
+    /// The last number tried for each prefix: all before it are taken.
+    numbers: HashMap<char, usize>,
 }
 
 impl Scope {
@@ -39,6 +42,7 @@ impl Scope {
     pub(super) fn fields() -> Self {
         Self {
             taken: HashSet::new(),
+            numbers: HashMap::new(),
         }
     }
 
@@ -46,6 +50,7 @@ impl Scope {
     pub(super) fn variables() -> Self {
         Self {
             taken: PATTERNS.iter().map(|name| (*name).to_string()).collect(),
+            numbers: HashMap::new(),
         }
     }
 
@@ -75,9 +80,9 @@ impl Scope {
 
     /// The first of `prefix1`, `prefix2`, … that is free.
     pub(super) fn number(&mut self, prefix: char) -> Ident {
-        let mut n = 1;
+        let n = self.numbers.entry(prefix).or_insert(1);
         while !self.taken.insert(format!("{prefix}{n}")) {
-            n += 1;
+            *n += 1;
         }
         identifier(&format!("{prefix}{n}"))
     }

@@ -2,6 +2,7 @@
 
 use super::split::Rooted;
 use super::values::Values;
+use super::values::has_magnitude;
 use crate::dag::Rate;
 use crate::schedule::Op;
 use crate::schedule::ValueId;
@@ -9,7 +10,6 @@ use num_rational::BigRational;
 use num_traits::One;
 use num_traits::Signed;
 use std::cmp::Reverse;
-use std::collections::BTreeMap;
 use std::collections::HashMap;
 use std::collections::HashSet;
 
@@ -88,8 +88,7 @@ struct Pair {
 /// left as it is here, too.
 pub(super) fn pairs(values: &mut Values) {
     loop {
-        let found = occurrences(values);
-        let mut frequent: Vec<_> = found.into_iter().filter(|f| f.1.len() > 1).collect();
+        let mut frequent = occurrences(values);
         frequent.sort_by_key(|f| Reverse(f.1.len()));
         let mut has_changed = HashSet::new();
         for (pair, users) in frequent {
@@ -108,43 +107,53 @@ pub(super) fn pairs(values: &mut Values) {
     }
 }
 
-/// Which values contain each pair, in value order.
-fn occurrences(values: &Values) -> BTreeMap<Pair, Vec<ValueId>> {
-    let mut found: BTreeMap<Pair, Vec<ValueId>> = BTreeMap::new();
-    for (user, value) in values.iter() {
-        let (is_sum, operands) = operands(&value.op);
-        if value.rate == Rate::Scene || operands.len() > OPERANDS {
-            continue;
-        }
-        for (i, first) in operands.iter().enumerate() {
-            for second in &operands[i + 1..] {
-                if let Some(pair) = pair(is_sum, first, second) {
-                    let users = found.entry(pair).or_default();
-                    if users.last() != Some(&user) {
-                        users.push(user);
-                    }
-                }
-            }
+/// Which values contain each pair, in value order, for those that several contain.
+fn occurrences(values: &Values) -> Vec<(Pair, Vec<ValueId>)> {
+    let one = BigRational::one();
+    let candidates = || {
+        values.iter().filter_map(|(user, value)| {
+            let (is_sum, operands) = operands(&value.op, &one);
+            let is_candidate = value.rate > Rate::Scene && operands.len() <= OPERANDS;
+            is_candidate.then_some((user, is_sum, operands))
+        })
+    };
+    // What a single value uses is in no common pair, and most operands of large values are of that kind.
+    let mut users = [vec![0; values.list.len()], vec![0; values.list.len()]];
+    for (_, is_sum, operands) in candidates() {
+        for (_, id) in operands {
+            users[usize::from(is_sum)][id.index()] += 1;
         }
     }
-    found
+    let mut places = Vec::new();
+    for (user, is_sum, mut operands) in candidates() {
+        operands.retain(|(_, id)| users[usize::from(is_sum)][id.index()] > 1);
+        for (i, first) in operands.iter().enumerate() {
+            let others = operands[i + 1..].iter();
+            let pairs = others.filter_map(|second| pair(is_sum, *first, *second));
+            places.extend(pairs.map(|pair| (pair, user)));
+        }
+    }
+    places.sort_unstable();
+    places.dedup();
+    let groups = places.chunk_by(|a, b| a.0 == b.0);
+    let shared = groups.filter(|group| group.len() > 1);
+    shared
+        .map(|group| (group[0].0, group.iter().map(|place| place.1).collect()))
+        .collect()
 }
 
-/// The terms of a sum, or the factors of a product with coefficients 1.
-fn operands(op: &Op) -> (bool, Vec<(BigRational, ValueId)>) {
+/// The terms of a sum, or the factors of a product with coefficients `one`.
+fn operands<'a>(op: &'a Op, one: &'a BigRational) -> (bool, Vec<(&'a BigRational, ValueId)>) {
     match op {
-        Op::Sum(terms) => (true, terms.clone()),
-        Op::Product { numerator, .. } => {
-            let factors = numerator.iter().map(|v| (BigRational::one(), *v));
-            (false, factors.collect())
-        }
+        Op::Sum(terms) => (true, terms.iter().map(|(c, v)| (c, *v)).collect()),
+        Op::Product { numerator, .. } => (false, numerator.iter().map(|v| (one, *v)).collect()),
         Op::Constant(_) | Op::Pi | Op::Leaf(_) | Op::Call(..) => (false, Vec::new()),
     }
 }
 
-fn pair(is_sum: bool, x: &(BigRational, ValueId), y: &(BigRational, ValueId)) -> Option<Pair> {
+fn pair(is_sum: bool, x: (&BigRational, ValueId), y: (&BigRational, ValueId)) -> Option<Pair> {
     let (first, second) = if x.1 <= y.1 { (x, y) } else { (y, x) };
-    (first.0.abs() == second.0.abs()).then(|| Pair {
+    has_magnitude(first.0, second.0).then(|| Pair {
         is_sum,
         a: first.1,
         b: second.1,

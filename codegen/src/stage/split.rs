@@ -6,6 +6,8 @@ use crate::dag::Dag;
 use crate::dag::Node;
 use crate::dag::NodeId;
 use crate::dag::Rate;
+use crate::normal::power;
+use crate::normal::times;
 use crate::schedule::Op;
 use crate::schedule::ValueId;
 use num_rational::BigRational;
@@ -99,7 +101,7 @@ fn monomial(
         Node::Sum(terms) => match terms.as_slice() {
             [(coefficient, core)] => {
                 let mut scaled = known[core.index()].clone();
-                scaled.coefficient *= coefficient;
+                scaled.coefficient = times(coefficient, scaled.coefficient);
                 scaled
             }
             _ => sum(terms, known, values),
@@ -118,7 +120,7 @@ fn sum(terms: &[(BigRational, NodeId)], known: &[Monomial], values: &mut Values)
         .iter()
         .map(|(coefficient, id)| {
             let term = &known[id.index()];
-            values.product(coefficient * &term.coefficient, &term.factors)
+            values.product(times(coefficient, term.coefficient.clone()), &term.factors)
         })
         .collect();
     let (sign, value) = values.sum(&terms);
@@ -150,7 +152,7 @@ fn product(
         } else {
             values.product(factor.coefficient.clone(), &factor.factors)
         };
-        merged.coefficient *= coefficient.pow(exponent);
+        merged.coefficient = times(&merged.coefficient, power(&coefficient, exponent));
         merged
             .factors
             .push(if exponent < 0 && is_inverted[id.index()] {

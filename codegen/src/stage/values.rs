@@ -1,6 +1,8 @@
 //! The value list under construction: equal operations share a value.
 
 use crate::dag::Rate;
+use crate::index::Index;
+use crate::normal::times;
 use crate::schedule::Op;
 use crate::schedule::Value;
 use crate::schedule::ValueId;
@@ -9,7 +11,6 @@ use num_traits::One;
 use num_traits::Signed;
 use std::cmp::Ordering;
 use std::cmp::Reverse;
-use std::collections::HashMap;
 
 /// All rates, slowest first.
 const RATES: [Rate; 3] = [Rate::Scene, Rate::Step, Rate::Iteration];
@@ -18,7 +19,9 @@ const RATES: [Rate; 3] = [Rate::Scene, Rate::Step, Rate::Iteration];
 #[derive(Default)]
 pub(super) struct Values {
     pub(super) list: Vec<Value>,
-    index: HashMap<Op, ValueId>,
+    /// The operations as they were before `share` rewrote them.
+    original: Vec<Op>,
+    index: Index,
 }
 
 impl Values {
@@ -34,24 +37,26 @@ impl Values {
 
     /// The value of `op`.
     pub(super) fn intern(&mut self, op: Op) -> ValueId {
-        if let Some(&id) = self.index.get(&op) {
-            return id;
-        }
-        let id = ValueId(u32::try_from(self.list.len()).expect("a schedule of 2^32 values"));
+        let id = |position| ValueId(u32::try_from(position).expect("a schedule of 2^32 values"));
+        let hash = match self.index.find(|i| &self.original[i], &op) {
+            Ok(position) => return id(position),
+            Err(hash) => hash,
+        };
         let rate = match &op {
             Op::Leaf(leaf) => leaf.rate(),
             _ => fastest(op.operands().into_iter().map(|v| self.rate(v))),
         };
-        self.index.insert(op.clone(), id);
+        self.original.push(op.clone());
+        self.index.push(hash);
         self.list.push(Value { op, rate });
-        id
+        id(self.list.len() - 1)
     }
 
     /// c · v as one value.
     pub(super) fn scaled(&mut self, coefficient: BigRational, value: ValueId) -> ValueId {
         match &self.list[value.index()].op {
             Op::Constant(number) => {
-                let number = number * coefficient;
+                let number = times(number, coefficient);
                 self.intern(Op::Constant(number))
             }
             _ if coefficient.is_negative() => {
@@ -64,7 +69,7 @@ impl Values {
                 denominator,
             } => {
                 let (numerator, denominator) = (numerator.clone(), denominator.clone());
-                self.quotient(coefficient * inner, numerator, denominator)
+                self.quotient(times(inner, coefficient), numerator, denominator)
             }
             Op::Pi | Op::Leaf(_) | Op::Sum(_) | Op::Call(..) => {
                 self.quotient(coefficient, vec![value], Vec::new())
@@ -189,16 +194,16 @@ impl Values {
     /// Σ cᵢ vᵢ as a coefficient and a value. Terms of equal weight are added up first, so that
     /// c·a − c·b costs one multiplication and a small difference keeps its digits: c·(a − b).
     pub(super) fn sum(&mut self, terms: &[(BigRational, ValueId)]) -> (BigRational, ValueId) {
-        let mut weights: Vec<BigRational> = Vec::new();
-        for weight in terms.iter().map(|t| t.0.abs()) {
-            if !weights.contains(&weight) {
-                weights.push(weight);
+        let mut groups: Vec<Vec<(BigRational, ValueId)>> = Vec::new();
+        for term in terms {
+            match groups.iter_mut().find(|g| has_magnitude(&g[0].0, &term.0)) {
+                Some(group) => group.push(term.clone()),
+                None => groups.push(vec![term.clone()]),
             }
         }
         let mut grouped = Vec::new();
-        for weight in weights {
-            let group = terms.iter().filter(|t| t.0.abs() == weight);
-            let group: Vec<_> = group.cloned().collect();
+        for group in groups {
+            let weight = group[0].0.abs();
             if weight.is_one() || group.len() == 1 {
                 grouped.extend(group);
             } else {
@@ -254,6 +259,11 @@ impl Values {
         let one = BigRational::one();
         (if flip { -one } else { one }, self.intern(Op::Sum(terms)))
     }
+}
+
+/// |a| = |b|
+pub(super) fn has_magnitude(a: &BigRational, b: &BigRational) -> bool {
+    a.numer().magnitude() == b.numer().magnitude() && a.denom() == b.denom()
 }
 
 /// The rate at which something with these operands changes.
