@@ -7,7 +7,12 @@ use support::{assert_refused, folder, residua, residua_in, succeed};
 
 fn table(csv: &str) -> (Vec<String>, Vec<Vec<String>>) {
     let mut reader = csv::Reader::from_reader(csv.as_bytes());
-    let header = reader.headers().unwrap().iter().map(str::to_owned).collect();
+    let header = reader
+        .headers()
+        .unwrap()
+        .iter()
+        .map(str::to_owned)
+        .collect();
     let fields = |record: csv::StringRecord| record.iter().map(str::to_owned).collect();
     let rows = reader.records().map(Result::unwrap).map(fields).collect();
     (header, rows)
@@ -15,7 +20,10 @@ fn table(csv: &str) -> (Vec<String>, Vec<Vec<String>>) {
 
 /// Columns `from` to the one before `to`, as numbers.
 fn numbers(row: &[String], from: usize, to: usize) -> Vec<f64> {
-    row[from..to].iter().map(|field| field.parse().unwrap()).collect()
+    row[from..to]
+        .iter()
+        .map(|field| field.parse().unwrap())
+        .collect()
 }
 
 #[test]
@@ -44,7 +52,11 @@ fn trajectories_are_those_of_simulate() {
     let (header, rows) = table(&succeed(line).stdout);
     assert_eq!(header[..3], ["g", "start.omega.x", "t"]);
     assert_eq!(rows.len(), 5 * 9 * 5);
-    for (point, rows) in rows.chunks(5).enumerate().filter(|(point, _)| point % 11 == 4) {
+    for (point, rows) in rows
+        .chunks(5)
+        .enumerate()
+        .filter(|(point, _)| point % 11 == 4)
+    {
         let (g, omega) = (&rows[0][0], &rows[0][1]);
         let line = format!("simulate spatial_group --set g={g} --start ω.x={omega} --every 250");
         let (_, alone) = table(&succeed(&line).stdout);
@@ -107,7 +119,11 @@ fn who_fails_has_a_row_that_says_so() {
 fn start_values_follow_swept_parameters() {
     let line = "sweep planar_reduced --over l=1..4:2 --start ω=sqrt(g/l) --every 1 --until 0.01";
     let (_, rows) = table(&succeed(line).stdout);
-    let starts: Vec<_> = rows.iter().step_by(2).map(|row| numbers(row, 0, 3)).collect();
+    let starts: Vec<_> = rows
+        .iter()
+        .step_by(2)
+        .map(|row| numbers(row, 0, 3))
+        .collect();
     assert_eq!(starts[0], [1.0, 0.0, 9.81_f64.sqrt()]);
     assert_eq!(starts[1], [4.0, 0.0, (9.81_f64 / 4.0).sqrt()]);
 }
@@ -115,7 +131,10 @@ fn start_values_follow_swept_parameters() {
 #[test]
 fn a_bad_axis_is_one_clear_message() {
     let cases: [(&str, &[&str]); 16] = [
-        ("mm=1..3:5", &["--over mm=1..3:5", "no parameter `mm`", "did you mean `m`"]),
+        (
+            "mm=1..3:5",
+            &["--over mm=1..3:5", "no parameter `mm`", "did you mean `m`"],
+        ),
         ("start.m=1..3:5", &["--over start.m=1..3:5", "no state `m`"]),
         ("ω=1..3:5", &["no parameter `ω`"]),
         ("m=1..3:0", &["the number of values is 0"]),
@@ -127,9 +146,15 @@ fn a_bad_axis_is_one_clear_message() {
         ("m=1..1/0:5", &["--over m=1..1/0:5"]),
         ("m=0..NaN:5", &["--over m=0..NaN:5", "NaN"]),
         ("m=1..l:5", &["m=1..l:5", "`m` has the unit kg, found m"]),
-        ("start.Γ=0..1:5", &["start.Γ=0..1:5", "`Γ` has 2 components", "Γ(2)"]),
+        (
+            "start.Γ=0..1:5",
+            &["start.Γ=0..1:5", "`Γ` has 2 components", "Γ(2)"],
+        ),
         ("start.Γ.z=0..1:5", &["no such component"]),
-        ("m=1..2:5 --over m=2..3:5", &["m=2..3:5", "`m` is swept twice"]),
+        (
+            "m=1..2:5 --over m=2..3:5",
+            &["m=2..3:5", "`m` is swept twice"],
+        ),
         (
             "start.ω=1..2:5 --over start.omega=2..3:5",
             &["`start.ω` and `start.omega` are the same"],

@@ -39,7 +39,7 @@ pub struct Fleet<'a> {
     /// Which trajectories, by number.
     pub trajectories: Range<usize>,
     /// Overwrites the parameters and the start state of a trajectory, in file order; called once for each.
-    pub fill: &'a (dyn Fn(usize, &mut [f64], &mut [f64]) + Sync),
+    pub fill: &'a Fill<'a>,
     /// The step, in s where the model has units; negative runs backwards in time.
     pub h: f64,
     /// The time of the start states.
@@ -54,6 +54,9 @@ pub struct Fleet<'a> {
     /// Takes states, those of one trajectory one after the other. Trajectories come in any order and at the same time.
     pub observer: &'a (dyn Fn(usize, Sample) + Sync),
 }
+
+/// Gives a trajectory its parameters and its start state.
+pub type Fill<'a> = dyn Fn(usize, &mut [f64], &mut [f64]) + Sync + 'a;
 
 /// How a trajectory ended.
 #[derive(Debug, Clone, Copy, Default)]

@@ -82,6 +82,8 @@ pub use description::Description;
 #[cfg(feature = "ensemble")]
 pub use ensemble::Ensemble;
 #[cfg(feature = "ensemble")]
+pub use ensemble::Fill;
+#[cfg(feature = "ensemble")]
 pub use ensemble::Fleet;
 #[cfg(feature = "ensemble")]
 pub use ensemble::Given;

@@ -11,8 +11,8 @@ use residua::erased::Sample;
 use residua::{Ensemble, Fleet, Model, Record, Settings, System, Wide};
 use residua_models::dsl as models;
 use residua_tests::reference::{
-    Form, nalgebra_step, planar_angle, planar_group, planar_reduced, spatial_cardan,
-    spatial_group, spatial_reduced,
+    Form, nalgebra_step, planar_angle, planar_group, planar_reduced, spatial_cardan, spatial_group,
+    spatial_reduced,
 };
 use std::hint::black_box;
 use std::sync::Mutex;
@@ -65,7 +65,9 @@ fn ensemble<S: Wide + 'static>(pool: &ThreadPool) -> Vec<Vec<f64>> {
         settings: Settings::default(),
         observer: &observer,
     };
-    let outcomes = pool.install(|| Ensemble::<S>::NEW.fly(&fleet)).expect("a valid run");
+    let outcomes = pool
+        .install(|| Ensemble::<S>::NEW.fly(&fleet))
+        .expect("a valid run");
     assert!(outcomes.iter().all(|outcome| outcome.error.is_none()));
     ends.into_inner().expect("no panic")
 }
@@ -76,8 +78,7 @@ where
 {
     let run = |trajectory| {
         let (parameters, start) = given::<S>(trajectory);
-        let mut stepper =
-            nalgebra_step::Stepper::<F, M, N>::new(&parameters, &start, black_box(H));
+        let mut stepper = nalgebra_step::Stepper::<F, M, N>::new(&parameters, &start, black_box(H));
         for _ in 0..STEPS {
             black_box(stepper.step()).expect("Newton converges");
         }
@@ -91,7 +92,10 @@ fn compare<S: Wide + 'static, F: Form<M, N>, const M: usize, const N: usize>(c: 
 where
     Const<N>: DimMin<Const<N>, Output = Const<N>>,
 {
-    let pool = ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
+    let pool = ThreadPoolBuilder::new()
+        .num_threads(1)
+        .build()
+        .expect("a thread");
     let (ours, theirs) = (ensemble::<S>(&pool), rival::<S, F, M, N>(TRAJECTORIES));
     for (a, b) in ours.iter().flatten().zip(theirs.iter().flatten()) {
         // Written so that a NaN fails.

@@ -18,6 +18,7 @@ use super::kernel::Start;
 use super::rows::Mask;
 use super::rows::Row;
 use super::rows::WIDTH;
+use super::rows::all;
 use super::rows::get;
 use super::rows::merge;
 use super::rows::put;
@@ -111,15 +112,15 @@ impl<'a> Group<'a> {
             next: rows(sizes.state),
             lost: [rows(sizes.state), rows(sizes.state)],
             shifts: Shifts::new(sizes.unknowns),
-            enough: vec![[NEVER; WIDTH]; sizes.unknowns],
+            enough: vec![all(NEVER); sizes.unknowns],
             due: [0; WIDTH],
             quiet_until: 0,
             start: rows(sizes.unknowns),
             x: rows(sizes.unknowns),
             correction: rows(sizes.unknowns),
-            sound: [0.0; WIDTH],
-            within: [0.0; WIDTH],
-            idle: [1.0; WIDTH],
+            sound: all(0.0),
+            within: all(0.0),
+            idle: all(1.0),
             seats: (0..WIDTH).map(|_| Seat::Out).collect(),
             together: 0,
             alone: 0,
@@ -282,8 +283,7 @@ impl<'a> Group<'a> {
         let blocks = self.kernel.blocks();
         let tolerance = self.fleet.settings.tolerance;
         let n = self.start.len();
-        let mut open: Mask =
-            core::array::from_fn(|i| self.idle[i] == 0.0 && self.within[i] == 0.0);
+        let mut open: Mask = core::array::from_fn(|i| self.idle[i] == 0.0 && self.within[i] == 0.0);
         let mut before = judge::progress(blocks, &self.state, &self.x, &self.correction, tolerance);
         let first = self.correction.clone();
         let (mut shift, mut next, mut lost) = (zeros(n), self.next.clone(), self.lost[1].clone());
@@ -311,14 +311,12 @@ impl<'a> Group<'a> {
             self.kernel.correct(self.arch, start, landing);
             let now = judge::progress(blocks, &self.state, &last_x, &self.correction, tolerance);
             if round == 2 {
-                let limits =
-                    judge::limits(blocks, &self.state, &last_x, &first, &self.correction);
+                let limits = judge::limits(blocks, &self.state, &last_x, &first, &self.correction);
                 self.learn(&open, &limits);
             }
             let mut accepted = [false; WIDTH];
             for i in 0..WIDTH {
-                let is_last =
-                    now.size[i] * now.size[i] <= RATE_MARGIN * tolerance * before.size[i];
+                let is_last = now.size[i] * now.size[i] <= RATE_MARGIN * tolerance * before.size[i];
                 let is_small = now.converged[i] && now.size[i] <= before.size[i];
                 let is_enough = self.within[i] != 0.0 || is_last || is_small;
                 accepted[i] = open[i] && self.sound[i] != 0.0 && is_enough;

@@ -6,6 +6,7 @@ use std::vec::Vec;
 use super::rows::Mask;
 use super::rows::Row;
 use super::rows::WIDTH;
+use super::rows::all;
 use crate::description::Unknown;
 use crate::settings::AT_ROUNDING;
 use crate::settings::LEFTOVER;
@@ -26,7 +27,7 @@ pub(crate) fn progress(
     correction: &[Row],
     tolerance: f64,
 ) -> Progress {
-    let mut size = [0.0; WIDTH];
+    let mut size = all(0.0);
     let mut converged = [true; WIDTH];
     let mut offset = 0;
     for block in blocks {
@@ -68,7 +69,7 @@ pub(crate) fn limits(
     second: &[Row],
 ) -> Vec<Row> {
     let least = LEFTOVER * f64::EPSILON;
-    let mut square = [LEFTOVER; WIDTH];
+    let mut square = all(LEFTOVER);
     let mut offset = 0;
     for block in blocks {
         let unknowns = offset..offset + block.len;
@@ -102,7 +103,11 @@ fn scale(block: &Unknown, state: &[Row], x: &[Row]) -> Row {
     if let Some(measure) = &block.measure {
         let known = largest(&state[measure.clone()]);
         for i in 0..WIDTH {
-            scale[i] = if known[i] > scale[i] { known[i] } else { scale[i] };
+            scale[i] = if known[i] > scale[i] {
+                known[i]
+            } else {
+                scale[i]
+            };
         }
     }
     scale
@@ -110,7 +115,7 @@ fn scale(block: &Unknown, state: &[Row], x: &[Row]) -> Row {
 
 /// The largest magnitude among finite numbers of each column.
 fn largest(rows: &[Row]) -> Row {
-    let mut largest = [0.0; WIDTH];
+    let mut largest = all(0.0);
     for row in rows {
         for i in 0..WIDTH {
             let size = row[i].abs();

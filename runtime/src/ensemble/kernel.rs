@@ -13,6 +13,7 @@ use super::rows::Row;
 use super::rows::WIDTH;
 use super::rows::lanes;
 use super::rows::set_lanes;
+use crate::description::Count;
 use crate::description::Unknown;
 use crate::erased::parameters;
 use crate::erased::state;
@@ -29,13 +30,26 @@ use crate::settings::MOST_GROWTH;
 use crate::settings::Settings;
 use crate::stepper::Stepper;
 
-/// Trajectories in one [`Lanes`]. One is enough: the loop over them is what becomes vector instructions.
-const N: usize = 1;
+/// Trajectories in one [`Lanes`]. The loop over lanes is what becomes vector instructions; two vectors at a time have
+/// more to do while a division lasts, where there are registers for two.
+const SINGLE: usize = 1;
+const DOUBLE: usize = 2;
 
 /// A system that an ensemble can advance. Nothing implements it by hand: generated systems have it.
-pub trait Wide: Solvable<f64> + System<Lanes<N>> {}
+pub trait Wide: Solvable<f64> + System<Lanes<SINGLE>> + System<Lanes<DOUBLE>> {}
 
-impl<S: Solvable<f64> + System<Lanes<N>>> Wide for S {}
+impl<S: Solvable<f64> + System<Lanes<SINGLE>> + System<Lanes<DOUBLE>>> Wide for S {}
+
+/// Two vectors at a time: where there is one unknown, and nothing but arithmetic.
+const fn is_small(blocks: &[Unknown], counts: &[(&str, Count)]) -> bool {
+    let mut calls = 0;
+    let mut i = 0;
+    while i < counts.len() {
+        calls += counts[i].1.calls;
+        i += 1;
+    }
+    matches!(blocks, [block] if block.len == 1) && calls == 0
+}
 
 /// Numbers of components.
 #[derive(Debug, Clone, Copy)]
@@ -155,7 +169,7 @@ impl<S: Wide + 'static> Kernel for Emitted<S> {
     }
 
     fn has_correction(&self) -> bool {
-        Core::<S, Lanes<N>>::HAS_CORRECTION
+        Core::<S, f64>::HAS_CORRECTION
     }
 
     fn scene(&self, parameters: &[f64], h: f64, out: &mut [f64]) {
@@ -165,11 +179,26 @@ impl<S: Wide + 'static> Kernel for Emitted<S> {
     }
 
     fn correct(&self, arch: Arch, start: Start, landing: Landing) -> bool {
-        arch.dispatch(Correct::<S> {
-            start,
-            landing,
-            system: PhantomData,
-        })
+        let is_small = const {
+            let solvers = <<S as System<f64>>::Model as Model<f64>>::DESCRIPTION.solvers;
+            is_small(
+                Core::<S, f64>::UNKNOWNS,
+                solvers[<S as System<f64>>::SOLVER].counts,
+            )
+        };
+        if is_small {
+            arch.dispatch(Correct::<Core<S, Lanes<DOUBLE>>, DOUBLE> {
+                start,
+                landing,
+                system: PhantomData,
+            })
+        } else {
+            arch.dispatch(Correct::<Core<S, Lanes<SINGLE>>, SINGLE> {
+                start,
+                landing,
+                system: PhantomData,
+            })
+        }
     }
 
     fn alone(&self, departure: &Departure) -> Result<Box<dyn Alone>, InvalidRun> {
@@ -183,13 +212,13 @@ impl<S: Wide + 'static> Kernel for Emitted<S> {
 }
 
 /// [`correct`] with its arguments, for [`Arch::dispatch`].
-struct Correct<'a, S> {
+struct Correct<'a, C, const N: usize> {
     start: Start<'a>,
     landing: Landing<'a>,
-    system: PhantomData<S>,
+    system: PhantomData<C>,
 }
 
-impl<S: Wide> NullaryFnOnce for Correct<'_, S> {
+impl<C: System<Lanes<N>>, const N: usize> NullaryFnOnce for Correct<'_, C, N> {
     type Output = bool;
 
     #[inline(always)]
@@ -203,7 +232,7 @@ impl<S: Wide> NullaryFnOnce for Correct<'_, S> {
             sound,
             within,
         } = self.landing;
-        correct::<Core<S, Lanes<N>>>(&self.start, shift, x, correction, next, lost, sound, within)
+        correct::<C, N>(&self.start, shift, x, correction, next, lost, sound, within)
     }
 }
 
@@ -213,7 +242,7 @@ impl<S: Wide> NullaryFnOnce for Correct<'_, S> {
 /// that known is the loop taken several lanes at a time.
 #[inline(always)]
 #[expect(clippy::too_many_arguments, reason = "see above")]
-fn correct<C: System<Lanes<N>>>(
+fn correct<C: System<Lanes<N>>, const N: usize>(
     start: &Start,
     shift: &mut [Row],
     x: &mut [Row],
@@ -233,8 +262,15 @@ fn correct<C: System<Lanes<N>>>(
     let (shifts, enough) = (&start.shift[..n], &start.enough[..n]);
     let (shift, x, correction) = (&mut shift[..n], &mut x[..n], &mut correction[..n]);
     let n_states = states.as_ref().len();
-    let (next, lost, losses) = (&mut next[..n_states], &mut lost[..n_states], &start.lost[..n_states]);
-    let (scene, state) = (&start.scene[..scenes.as_ref().len()], &start.state[..n_states]);
+    let (next, lost, losses) = (
+        &mut next[..n_states],
+        &mut lost[..n_states],
+        &start.lost[..n_states],
+    );
+    let (scene, state) = (
+        &start.scene[..scenes.as_ref().len()],
+        &start.state[..n_states],
+    );
     let mut open = 0;
     for i in 0..WIDTH / N {
         let scene = C::Scene::from_array(columns(scenes, scene, i));
@@ -255,8 +291,8 @@ fn correct<C: System<Lanes<N>>>(
             set_lanes(&mut correction[j], i, c);
             set_lanes(&mut x[j], i, corrected);
             set_lanes(&mut shift[j], i, corrected - guess.as_ref()[j]);
-            for k in 0..N {
-                is_within[k] &= c.0[k].abs() <= enough.0[k];
+            for (k, is_within) in is_within.iter_mut().enumerate() {
+                *is_within &= c.0[k].abs() <= enough.0[k];
             }
         }
 
@@ -279,13 +315,13 @@ fn correct<C: System<Lanes<N>>>(
             total = total + *after;
         }
         let idle = lanes::<N>(start.idle, i);
-        for k in 0..N {
+        for (k, is_within) in is_within.into_iter().enumerate() {
             let at = i + k * (WIDTH / N);
             // Any NaN or infinity is one in the sum.
             let is_sound = (growth.0[k] <= MOST_GROWTH)
                 & (eliminated.0[k] <= MOST_GROWTH)
                 & (total.0[k].abs() < f64::INFINITY);
-            let is_enough = is_sound & is_within[k];
+            let is_enough = is_sound & is_within;
             sound[at] = if is_sound { 1.0 } else { 0.0 };
             within[at] = if is_enough { 1.0 } else { 0.0 };
             open |= u64::from(!is_enough & (idle.0[k] == 0.0));
@@ -296,7 +332,7 @@ fn correct<C: System<Lanes<N>>>(
 
 /// a + b and what is rounded off it (Knuth, *The Art of Computer Programming* 2, 4.2.2, theorem B).
 #[inline(always)]
-fn compensated_sum(a: Lanes<N>, b: Lanes<N>) -> (Lanes<N>, Lanes<N>) {
+fn compensated_sum<const N: usize>(a: Lanes<N>, b: Lanes<N>) -> (Lanes<N>, Lanes<N>) {
     let sum = a + b;
     let part = sum - a;
     (sum, (a - (sum - part)) + (b - part))
@@ -304,7 +340,7 @@ fn compensated_sum(a: Lanes<N>, b: Lanes<N>) -> (Lanes<N>, Lanes<N>) {
 
 /// Column `i` of `rows`, in an array like `shape`.
 #[inline(always)]
-fn columns<A: AsMut<[Lanes<N>]>>(mut shape: A, rows: &[Row], i: usize) -> A {
+fn columns<A: AsMut<[Lanes<N>]>, const N: usize>(mut shape: A, rows: &[Row], i: usize) -> A {
     for (component, row) in shape.as_mut().iter_mut().zip(rows) {
         *component = lanes(row, i);
     }

@@ -1,5 +1,7 @@
 //! Numbers of a group of trajectories: a row for each component, a column for each trajectory.
 
+use core::ops::Deref;
+use core::ops::DerefMut;
 use std::vec;
 use std::vec::Vec;
 
@@ -8,15 +10,38 @@ use crate::lanes::Lanes;
 /// Trajectories of a group: as many as keep the working memory of a model with a dozen states in the first cache.
 pub const WIDTH: usize = 32;
 
-/// One component of all trajectories of a group.
-pub(crate) type Row = [f64; WIDTH];
+/// One component of all trajectories of a group, on the boundary that whole vectors are read from fastest.
+#[derive(Debug, Clone, Copy)]
+#[repr(align(64))]
+pub(crate) struct Row(pub(crate) [f64; WIDTH]);
+
+impl Deref for Row {
+    type Target = [f64; WIDTH];
+
+    #[inline(always)]
+    fn deref(&self) -> &[f64; WIDTH] {
+        &self.0
+    }
+}
+
+impl DerefMut for Row {
+    #[inline(always)]
+    fn deref_mut(&mut self) -> &mut [f64; WIDTH] {
+        &mut self.0
+    }
+}
+
+/// A row of the same number.
+pub(crate) const fn all(value: f64) -> Row {
+    Row([value; WIDTH])
+}
 
 /// A truth for each trajectory of a group.
 pub(crate) type Mask = [bool; WIDTH];
 
 /// As many rows of zeros.
 pub(crate) fn zeros(rows: usize) -> Vec<Row> {
-    vec![[0.0; WIDTH]; rows]
+    vec![all(0.0); rows]
 }
 
 /// Writes a column.

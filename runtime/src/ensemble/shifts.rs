@@ -8,6 +8,7 @@ use pulp::NullaryFnOnce;
 use super::rows::Mask;
 use super::rows::Row;
 use super::rows::WIDTH;
+use super::rows::all;
 use super::rows::zeros;
 use crate::shifts::COMPARED;
 use crate::shifts::HIGHEST;
@@ -43,7 +44,7 @@ impl Shifts {
             steps: 0,
             forgotten: [0; WIDTH],
             order: [0; WIDTH],
-            weights: [[0.0; WIDTH]; HIGHEST],
+            weights: [all(0.0); HIGHEST],
             highest: 0,
         }
     }
@@ -68,7 +69,10 @@ impl Shifts {
 
     /// Overwrites `start` with what the next shifts are expected to be.
     pub(crate) fn ahead(&self, arch: Arch, start: &mut [Row]) {
-        arch.dispatch(Ahead { shifts: self, start });
+        arch.dispatch(Ahead {
+            shifts: self,
+            start,
+        });
     }
 
     /// Where the shifts of the step go that is being taken.
@@ -138,7 +142,7 @@ impl NullaryFnOnce for Ahead<'_> {
     #[inline(always)]
     fn call(self) {
         for (u, start) in self.start.iter_mut().enumerate() {
-            let mut sum = [0.0; WIDTH];
+            let mut sum = all(0.0);
             // The order of summation does not depend on that of others: beyond its own, a trajectory adds zeros.
             for j in (1..=self.shifts.highest).rev() {
                 let (weights, shift) = (&self.shifts.weights[j - 1], &self.shifts.ago(j)[u]);
@@ -165,9 +169,9 @@ impl NullaryFnOnce for Missed<'_> {
 
     #[inline(always)]
     fn call(self) -> [Row; HIGHEST] {
-        let mut most = [[0.0; WIDTH]; HIGHEST];
+        let mut most = [all(0.0); HIGHEST];
         for (u, scale) in self.scales.iter().enumerate() {
-            let mut differences = [[0.0; WIDTH]; DIFFERENCES];
+            let mut differences = [all(0.0); DIFFERENCES];
             for (j, row) in differences.iter_mut().enumerate() {
                 *row = self.shifts.ago(j + 1)[u];
             }

@@ -51,21 +51,29 @@ fn run_with(
     h: f64,
     start: &(dyn Fn(usize) -> State + Sync),
 ) -> (Vec<End>, Vec<Outcome>) {
-    let runs: Vec<_> = numbers.iter().map(|i| (Parameters::default(), start(*i))).collect();
+    let runs: Vec<_> = numbers
+        .iter()
+        .map(|i| (Parameters::default(), start(*i)))
+        .collect();
     let shown = Mutex::new(vec![([0, 0], 0, 0); numbers.len()]);
     let observer = |trajectory: usize, sample: Sample| {
         let state = [sample.state[0].to_bits(), sample.state[1].to_bits()];
         let what = (state, sample.step, sample.statistics.iterations);
         shown.lock().unwrap()[trajectory] = what;
     };
-    let outcomes = Ensemble::<Next>::NEW.run(&runs, h, steps, &observer).unwrap();
+    let outcomes = Ensemble::<Next>::NEW
+        .run(&runs, h, steps, &observer)
+        .unwrap();
     let shown = shown.into_inner().unwrap();
-    let ends = shown.into_iter().zip(&outcomes).map(|((state, step, iterations), outcome)| End {
-        state,
-        step,
-        iterations,
-        error: outcome.error.map(|error| error.to_string()),
-    });
+    let ends = shown
+        .into_iter()
+        .zip(&outcomes)
+        .map(|((state, step, iterations), outcome)| End {
+            state,
+            step,
+            iterations,
+            error: outcome.error.map(|error| error.to_string()),
+        });
     (ends.collect(), outcomes)
 }
 
@@ -100,7 +108,7 @@ fn no_trajectory_depends_on_its_group() {
     backwards.reverse();
     assert_eq!(together, backwards);
     for (i, end) in together.iter().enumerate() {
-        assert_eq!([end.clone()], run(&[i], 300)[..]);
+        assert_eq!(*end, run(&[i], 300)[0]);
     }
 }
 

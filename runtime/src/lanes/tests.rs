@@ -54,7 +54,7 @@ fn exact(x: f64, pi: &BigInt) -> (BigInt, BigInt) {
             0 | 1 => sums[1 - k % 2] += &term,
             _ => sums[1 - k % 2] -= &term,
         }
-        term = (term * &x >> BITS) / (k + 1);
+        term = ((term * &x) >> BITS) / (k + 1);
     }
     let [sin, cos] = sums;
     (sin, cos)
@@ -99,7 +99,10 @@ fn sine_and_cosine_are_right_to_the_last_place() {
         for (name, value, exact) in [("sin", sin.0[0], exact_sin), ("cos", cos.0[0], exact_cos)] {
             let error = ulps(value, &exact);
             // Written so that a NaN fails.
-            assert!(value.is_finite() && error <= ULPS, "{name}({x:e}) = {value:e} is off by {error}");
+            assert!(
+                value.is_finite() && error <= ULPS,
+                "{name}({x:e}) = {value:e} is off by {error}"
+            );
             if error > worst.0 {
                 worst = (error, x);
             }
@@ -111,7 +114,15 @@ fn sine_and_cosine_are_right_to_the_last_place() {
 
 #[test]
 fn small_angles_are_their_own_sines() {
-    for x in [0.0, 5e-324, 1e-310, f64::MIN_POSITIVE, 1e-300, 1e-200, 1e-30] {
+    for x in [
+        0.0,
+        5e-324,
+        1e-310,
+        f64::MIN_POSITIVE,
+        1e-300,
+        1e-200,
+        1e-30,
+    ] {
         for x in [x, -x] {
             let (sin, cos) = Lanes([x]).sin_cos();
             assert_eq!((sin.0[0], cos.0[0]), (x, 1.0));
@@ -138,10 +149,14 @@ fn stumpff_functions_are_those_of_a_number() {
         for i in -400..=400 {
             let s = f64::from(i) / 100.0;
             let (lanes, number) = (Lanes([s]).stumpff(n).0[0], Scalar::stumpff(s, n));
-            let slope = s * (Scalar::stumpff(s, n + 1) - f64::from(n) * Scalar::stumpff(s, n + 2)) / 2.0;
+            let slope =
+                s * (Scalar::stumpff(s, n + 1) - f64::from(n) * Scalar::stumpff(s, n + 2)) / 2.0;
             // What `Scalar::stumpff` claims for each of them.
             let bound = 4.0 * f64::EPSILON * (number.abs() + slope.abs());
-            assert!((lanes - number).abs() <= bound, "c{n}({s}): {lanes} {number}");
+            assert!(
+                (lanes - number).abs() <= bound,
+                "c{n}({s}): {lanes} {number}"
+            );
         }
     }
 }
@@ -171,6 +186,10 @@ fn every_lane_is_computed_as_if_alone() {
     for (name, one, all) in functions {
         let expected: Vec<f64> = (0..4).map(|i| one(x.0[i], y.0[i])).collect();
         // NaN is not equal to itself, but prints the same.
-        assert_eq!(format!("{:?}", all(x, y).0), format!("{expected:?}"), "{name}");
+        assert_eq!(
+            format!("{:?}", all(x, y).0),
+            format!("{expected:?}"),
+            "{name}"
+        );
     }
 }

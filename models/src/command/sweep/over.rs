@@ -92,9 +92,8 @@ pub fn axes(
     let mut axes: Vec<Axis> = Vec::new();
     for over in over {
         let axis = axis(over, description, &known)?;
-        let is_same = |other: &&Axis| {
-            (other.is_start, other.position) == (axis.is_start, axis.position)
-        };
+        let is_same =
+            |other: &&Axis| (other.is_start, other.position) == (axis.is_start, axis.position);
         if let Some(other) = axes.iter().find(is_same) {
             let message = match other.name == axis.name {
                 true => format!("`{}` is swept twice", axis.name),
@@ -135,8 +134,8 @@ fn axis(
     let (position, symbol) = component_of(&over.ends[0], &target).map_err(place)?;
     let end = |assignment: &Assignment| {
         let refuse = |message: &str| place(Failure::input(message));
-        let value = evaluate(assignment.value(), &symbol, known)
-            .map_err(|message| refuse(&message))?[0];
+        let value =
+            evaluate(assignment.value(), &symbol, known).map_err(|message| refuse(&message))?[0];
         match value.is_finite() {
             true => Ok(value),
             false => Err(refuse(&format!("`{}` is {value}", assignment.value()))),

@@ -100,7 +100,9 @@ impl<'a> Table<'a> {
         let mut parameters = vec![0.0; self.grid.parameters.len()];
         let mut state = vec![0.0; self.n_states];
         self.grid.fill(number, &mut parameters, &mut state);
-        let status = outcome.error.map_or(REACHED.to_owned(), |error| error.to_string());
+        let status = outcome
+            .error
+            .map_or(REACHED.to_owned(), |error| error.to_string());
         let mut outputs = vec![0.0; self.order.len()];
         for (i, shown) in rows.iter().enumerate() {
             let model = self.grid.model.model;
@@ -110,13 +112,15 @@ impl<'a> Table<'a> {
             let numbers = numbers.chain(shown.state.iter().copied()).chain(outputs);
             let status = if i + 1 < rows.len() { REACHED } else { &status };
             let last = [shown.iterations.to_string(), status.to_owned()];
-            self.out.write_record(numbers.map(|x| format!("{x:?}")).chain(last))?;
+            self.out
+                .write_record(numbers.map(|x| format!("{x:?}")).chain(last))?;
         }
         if rows.is_empty() {
             // It did not start.
             let nothing = vec![String::new(); 1 + self.n_states + self.order.len()];
             let numbers = point.iter().map(|x| format!("{x:?}")).chain(nothing);
-            self.out.write_record(numbers.chain(["0".to_owned(), status]))?;
+            self.out
+                .write_record(numbers.chain(["0".to_owned(), status]))?;
         }
         self.rows += rows.len().max(1) as u64;
         Ok(())
