@@ -82,7 +82,11 @@ fn every_model_and_form_can_be_swept() {
     for entry in residua_models::CATALOGUE {
         for solver in entry.catalogued.solvers {
             let state = &entry.catalogued.description.states[0];
-            let pick = if state.rows > 1 { ".x" } else { "" };
+            let pick = match (state.rows, state.cols) {
+                (1, 1) => "",
+                (_, 1) => "(1)",
+                _ => "(1,1)",
+            };
             let line = format!(
                 "sweep {} --form {} --over start.{}{pick}=1..1.1:3 --until 0.5",
                 entry.name(),
@@ -98,16 +102,17 @@ fn every_model_and_form_can_be_swept() {
 #[test]
 fn who_fails_has_a_row_that_says_so() {
     let folder = folder("sweep_failures");
-    let line = "sweep elastic --over c=20..2000:4 --step 0.5 --until 300 --out sweep.csv";
+    let line = "sweep elastic --over c=30..50:41 --step 0.5 --until 300 --out sweep.csv";
     let outcome = residua_in(&folder, line);
     assert_eq!(outcome.code, 1, "{}", outcome.stderr);
     let (header, rows) = table(&fs::read_to_string(folder.join("sweep.csv")).unwrap());
-    assert_eq!(rows.len(), 4);
+    assert_eq!(rows.len(), 41);
     let status = header.len() - 1;
     let failed: Vec<_> = rows.iter().filter(|row| row[status] != "ok").collect();
-    assert!(!failed.is_empty());
+    // Half a second is long for springs that swing five times in it, and not for all of them.
+    assert!(!failed.is_empty() && failed.len() < 41);
     assert!(failed.iter().all(|row| row[status].starts_with("step ")));
-    let count = format!("{} of 4 trajectories failed", failed.len());
+    let count = format!("{} of 41 trajectories failed", failed.len());
     assert!(outcome.stderr.contains(&count), "{}", outcome.stderr);
     // The last state that was reached, and it is one.
     for row in failed {

@@ -223,27 +223,40 @@ impl<C: System<Lanes<N>>, const N: usize> NullaryFnOnce for Correct<'_, C, N> {
 
     #[inline(always)]
     fn call(self) -> bool {
-        let Landing {
-            shift,
-            x,
-            correction,
-            next,
-            lost,
-            sound,
-            within,
-        } = self.landing;
-        correct::<C, N>(&self.start, shift, x, correction, next, lost, sound, within)
+        let (from, to) = (self.start, self.landing);
+        correct::<C, N>(
+            from.t,
+            from.scene,
+            from.state,
+            from.lost,
+            from.shift,
+            from.enough,
+            from.idle,
+            to.shift,
+            to.x,
+            to.correction,
+            to.next,
+            to.lost,
+            to.sound,
+            to.within,
+        )
     }
 }
 
 /// x = guess + shift, c = J(x)⁻¹ r(x), x ← x − c, and the state after that.
 ///
-/// What is written is passed one by one: only references that are arguments are known not to overlap, and only with
-/// that known is the loop taken several lanes at a time.
+/// All is passed one by one: only references that are arguments are known not to overlap, and only with that known is
+/// the loop taken several lanes at a time.
 #[inline(always)]
 #[expect(clippy::too_many_arguments, reason = "see above")]
 fn correct<C: System<Lanes<N>>, const N: usize>(
-    start: &Start,
+    t: f64,
+    scene: &[Row],
+    state: &[Row],
+    losses: &[Row],
+    shifts: &[Row],
+    enough: &[Row],
+    idle: &Row,
     shift: &mut [Row],
     x: &mut [Row],
     correction: &mut [Row],
@@ -259,23 +272,17 @@ fn correct<C: System<Lanes<N>>, const N: usize>(
     let (unknowns, _) = C::zeros();
 
     let n = unknowns.as_ref().len();
-    let (shifts, enough) = (&start.shift[..n], &start.enough[..n]);
+    let (shifts, enough) = (&shifts[..n], &enough[..n]);
     let (shift, x, correction) = (&mut shift[..n], &mut x[..n], &mut correction[..n]);
-    let n_states = states.as_ref().len();
-    let (next, lost, losses) = (
-        &mut next[..n_states],
-        &mut lost[..n_states],
-        &start.lost[..n_states],
-    );
-    let (scene, state) = (
-        &start.scene[..scenes.as_ref().len()],
-        &start.state[..n_states],
-    );
+    let n = states.as_ref().len();
+    let (state, losses) = (&state[..n], &losses[..n]);
+    let (next, lost) = (&mut next[..n], &mut lost[..n]);
+    let scene = &scene[..scenes.as_ref().len()];
     let mut open = 0;
     for i in 0..WIDTH / N {
         let scene = C::Scene::from_array(columns(scenes, scene, i));
         let known = columns(states, state, i);
-        let step = C::step(&scene, Lanes::constant(start.t), &known);
+        let step = C::step(&scene, Lanes::constant(t), &known);
         let guess = C::guess(&scene, &step);
         let mut at = guess;
         for (at, shift) in at.as_mut().iter_mut().zip(shifts) {
@@ -284,7 +291,7 @@ fn correct<C: System<Lanes<N>>, const N: usize>(
 
         let (c, growth) = C::correction(&scene, &step, &at);
         let mut is_within = [true; N];
-        for j in 0..n {
+        for j in 0..shifts.len() {
             let (c, enough) = (c.as_ref()[j], lanes::<N>(&enough[j], i));
             let corrected = at.as_ref()[j] - c;
             at.as_mut()[j] = corrected;
@@ -300,7 +307,7 @@ fn correct<C: System<Lanes<N>>, const N: usize>(
         let mut after = known;
         if C::HAS_CHANGE {
             let change = C::change(&scene, &step, &at);
-            for j in 0..n_states {
+            for j in 0..losses.len() {
                 let loss = lanes(&losses[j], i);
                 let (sum, loss) = compensated_sum(known.as_ref()[j], change.as_ref()[j] + loss);
                 after.as_mut()[j] = sum;
@@ -314,7 +321,7 @@ fn correct<C: System<Lanes<N>>, const N: usize>(
             set_lanes(next, i, *after);
             total = total + *after;
         }
-        let idle = lanes::<N>(start.idle, i);
+        let idle = lanes::<N>(idle, i);
         for (k, is_within) in is_within.into_iter().enumerate() {
             let at = i + k * (WIDTH / N);
             // Any NaN or infinity is one in the sum.
