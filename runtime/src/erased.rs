@@ -21,6 +21,11 @@ pub use solver::Differentiable;
 pub use solver::ErasedSolver;
 pub use solver::Point;
 
+#[cfg(feature = "ensemble")]
+pub(crate) use model::parameters;
+#[cfg(feature = "ensemble")]
+pub(crate) use model::state;
+
 use crate::description::Description;
 
 /// A model with its solvers.

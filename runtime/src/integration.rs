@@ -116,6 +116,13 @@ impl<M: Method<T>, T: Real> Integration<M, T> {
         Ok(Self { t0, ..self })
     }
 
+    /// The same run as if it had taken so many steps already.
+    #[cfg(feature = "ensemble")]
+    pub(crate) fn after(mut self, steps: u64) -> Self {
+        self.statistics.steps = steps;
+        self
+    }
+
     /// Advances by one step.
     ///
     /// Errors: see [`Failure`](crate::Failure). A failed step leaves time and state as they were.

@@ -46,21 +46,25 @@
 //!
 //! Features: `std` takes `sin` and its kin from the standard library, without it they come from `libm`, and
 //! nothing here needs an operating system; `macros` re-exports `model!` and `scene!`; `dual` adds derivatives by dual
-//! numbers, to check Jacobians with, and needs `std`.
+//! numbers, to check Jacobians with, and needs `std`; `ensemble` adds [`Ensemble`], many trajectories at a time, and
+//! needs `std`.
 
 #![no_std]
 #![forbid(unsafe_code)]
 
 #[cfg(test)]
 extern crate self as residua;
-#[cfg(test)]
+#[cfg(any(test, feature = "ensemble"))]
 extern crate std;
 
 mod component;
 pub mod description;
+#[cfg(feature = "ensemble")]
+mod ensemble;
 pub mod erased;
 mod error;
 mod integration;
+mod lanes;
 mod linear;
 mod model;
 mod newton;
@@ -76,6 +80,20 @@ mod stumpff;
 
 pub use component::Component;
 pub use description::Description;
+#[cfg(feature = "ensemble")]
+pub use ensemble::Ensemble;
+#[cfg(feature = "ensemble")]
+pub use ensemble::Fill;
+#[cfg(feature = "ensemble")]
+pub use ensemble::Fleet;
+#[cfg(feature = "ensemble")]
+pub use ensemble::Given;
+#[cfg(feature = "ensemble")]
+pub use ensemble::Outcome;
+#[cfg(feature = "ensemble")]
+pub use ensemble::WIDTH;
+#[cfg(feature = "ensemble")]
+pub use ensemble::Wide;
 pub use erased::Catalogued;
 pub use error::Failure;
 pub use error::Fault;
@@ -86,6 +104,7 @@ pub use error::StepError;
 pub use integration::FlatState;
 pub use integration::Integration;
 pub use integration::Method;
+pub use lanes::Lanes;
 pub use linear::Correctable;
 pub use linear::Solvable;
 pub use linear::SquareMatrix;

@@ -14,6 +14,15 @@ pub trait Record<T>: Copy {
     fn to_array(&self) -> Self::Array;
 }
 
+/// Nothing.
+impl<T: Copy> Record<T> for () {
+    type Array = [T; 0];
+    fn from_array(_array: [T; 0]) -> Self {}
+    fn to_array(&self) -> [T; 0] {
+        []
+    }
+}
+
 /// A model apart from its solvers. Implemented by the generated unit struct `Model`.
 pub trait Model<T: Scalar> {
     /// The generated struct `Parameters<T>`; its `Default` holds the values of the file.
@@ -57,7 +66,7 @@ pub trait System<T: Scalar> {
     /// `[[T; n]; n]`, rows first.
     type Jacobian: Copy;
     /// What depends on the parameters and h only, computed once per run.
-    type Scene: Copy;
+    type Scene: Record<T>;
     /// What depends on the known state and t besides, computed once per step.
     type Step: Copy;
     /// The same equations after unknowns that enter linearly are eliminated; `Self` where all are needed.

@@ -6,16 +6,16 @@ use crate::scalar::Scalar;
 /// Highest order of extrapolation: the polynomial through the last ten solutions. At ordinary steps ten are enough in
 /// space that the start is within rounding of the solution after one correction; more magnify rounding without
 /// getting closer.
-const HIGHEST: usize = 10;
+pub(crate) const HIGHEST: usize = 10;
 
 /// An order that leaves enough for two corrections.
-const SHORT: usize = 2;
+pub(crate) const SHORT: usize = 2;
 
 /// Steps that orders are compared over: more than one, for a difference may just pass through zero.
-const COMPARED: usize = 4;
+pub(crate) const COMPARED: usize = 4;
 
 /// Solutions kept, a power of two: more than the differences of the highest order in the compared steps are made of.
-const KEPT: usize = 16;
+pub(crate) const KEPT: usize = 16;
 
 /// How far solutions lay from their guesses, s = x − guess, in the last steps.
 ///
@@ -149,7 +149,7 @@ impl<X: Copy> Shifts<X> {
 }
 
 /// (−1)ʲ⁺¹ (p over j) in row p, column j − 1.
-const WEIGHTS: [[f64; HIGHEST]; HIGHEST + 1] = weights();
+pub(crate) const WEIGHTS: [[f64; HIGHEST]; HIGHEST + 1] = weights();
 
 const fn weights() -> [[f64; HIGHEST]; HIGHEST + 1] {
     let mut rows = [[0.0; HIGHEST]; HIGHEST + 1];

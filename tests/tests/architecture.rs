@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 /// Modules that turn one data type into another, with what belongs to each.
-const STAGES: [&str; 12] = [
+const STAGES: [&str; 16] = [
     "parse",
     "check",
     "lower",
@@ -14,6 +14,9 @@ const STAGES: [&str; 12] = [
     "finite",
     "structure",
     "eliminate",
+    "correct",
+    "clear",
+    "change",
     "claims",
     "stage",
     "emit",

@@ -1,6 +1,7 @@
 //! The caches of a solver or flow: private structs of what slower functions have computed.
 
 use super::names::Names;
+use super::number::whole;
 use super::record::member;
 use super::scope::identifier;
 use crate::schedule::Schedule;
@@ -44,6 +45,32 @@ impl Cache {
             #[doc = #doc]
             #[derive(Clone, Copy)]
             pub struct #name<T> { #(#fields: T),* }
+        }
+    }
+
+    /// Its `Record` implementation, by which lanes of trajectories keep it component by component.
+    pub(super) fn record(&self) -> TokenStream {
+        let name = &self.name;
+        if self.fields.is_empty() {
+            return TokenStream::new();
+        }
+        let n = whole(self.fields.len());
+        let fields: Vec<_> = self.fields.iter().map(|f| &f.1).collect();
+        quote! {
+            impl<T: ::core::marker::Copy> ::residua::Record<T> for #name<T> {
+                type Array = [T; #n];
+
+                #[inline(always)]
+                fn from_array([#(#fields),*]: [T; #n]) -> Self {
+                    Self { #(#fields),* }
+                }
+
+                #[inline(always)]
+                fn to_array(&self) -> [T; #n] {
+                    let Self { #(#fields),* } = *self;
+                    [#(#fields),*]
+                }
+            }
         }
     }
 

@@ -98,6 +98,7 @@ fn system(
             .declare("What a step needs of the known state and t."),
     ];
     let (scene, step) = (context.scene.ty(), context.step.ty());
+    let record = context.scene.record();
     let functions = [
         scene_function(&mut context),
         step_function(&mut context),
@@ -126,6 +127,7 @@ fn system(
         #allow
         mod #module {
             #(#caches)*
+            #record
 
             impl<T: ::residua::Scalar> ::residua::System<T> for super::#name {
                 type Model = super::Model;
@@ -197,6 +199,7 @@ fn step_function(context: &mut Context) -> TokenStream {
     let tokens = &body.tokens;
     quote! {
         #[doc = #doc]
+        #[inline(always)]
         fn step(#scene: &#scene_type, #t: T, #state: &[T; #n]) -> #step_type {
             #tokens
             #built
@@ -210,6 +213,7 @@ fn guess_function(context: &mut Context, n: &Literal) -> TokenStream {
     let [scene, step] = ["scene", "step"].map(|name| body.argument(name));
     let (tokens, roots) = (&body.tokens, &body.roots);
     quote! {
+        #[inline(always)]
         fn guess(#scene: &#scene_type, #step: &#step_type) -> [T; #n] {
             #tokens
             [#(#roots),*]
@@ -310,7 +314,7 @@ fn correction_function(context: &mut Context, n: &Literal) -> TokenStream {
         const HAS_CORRECTION: bool = true;
 
         #[doc = #doc]
-        #[inline]
+        #[inline(always)]
         fn correction(
             #scene: &#scene_type,
             #step: &#step_type,
@@ -343,7 +347,7 @@ fn state_function(context: &mut Context, n: &Literal, name: &str, what: &str) ->
     let (tokens, roots, name) = (&body.tokens, &body.roots, identifier(name));
     quote! {
         #[doc = #doc]
-        #[inline]
+        #[inline(always)]
         fn #name(#scene: &#scene_type, #step: &#step_type, #unknowns: &[T; #n]) -> [T; #n_states] {
             #tokens
             [#(#roots),*]
@@ -359,6 +363,7 @@ fn growth_function(context: &mut Context, n: &Literal) -> TokenStream {
     let (tokens, roots) = (&body.tokens, &body.roots);
     quote! {
         #[doc = #doc]
+        #[inline(always)]
         fn growth(#scene: &#scene_type, #step: &#step_type, #unknowns: &[T; #n]) -> T {
             #tokens
             #(#roots)*

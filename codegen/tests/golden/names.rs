@@ -287,6 +287,91 @@ mod increment {
         two_r: T,
         Next_: T,
     }
+    impl<T: ::core::marker::Copy> ::residua::Record<T> for Scene<T> {
+        type Array = [T; 17];
+        #[inline(always)]
+        fn from_array(
+            [two_M_11,
+            M_12,
+            two_M_12,
+            h,
+            h_a_x_type,
+            c1,
+            M_21,
+            two_M_21,
+            two_M_22,
+            two,
+            scene_over_None,
+            two_v1,
+            Model_,
+            c2,
+            c3,
+            two_h,
+            four_h,
+            ]: [T; 17],
+        ) -> Self {
+            Self {
+                two_M_11,
+                M_12,
+                two_M_12,
+                h,
+                h_a_x_type,
+                c1,
+                M_21,
+                two_M_21,
+                two_M_22,
+                two,
+                scene_over_None,
+                two_v1,
+                Model_,
+                c2,
+                c3,
+                two_h,
+                four_h,
+            }
+        }
+        #[inline(always)]
+        fn to_array(&self) -> [T; 17] {
+            let Self {
+                two_M_11,
+                M_12,
+                two_M_12,
+                h,
+                h_a_x_type,
+                c1,
+                M_21,
+                two_M_21,
+                two_M_22,
+                two,
+                scene_over_None,
+                two_v1,
+                Model_,
+                c2,
+                c3,
+                two_h,
+                four_h,
+            } = *self;
+            [
+                two_M_11,
+                M_12,
+                two_M_12,
+                h,
+                h_a_x_type,
+                c1,
+                M_21,
+                two_M_21,
+                two_M_22,
+                two,
+                scene_over_None,
+                two_v1,
+                Model_,
+                c2,
+                c3,
+                two_h,
+                four_h,
+            ]
+        }
+    }
     impl<T: ::residua::Scalar> ::residua::System<T> for super::Increment {
         type Model = super::Model;
         type Unknowns = [T; 4];
@@ -348,6 +433,7 @@ mod increment {
             }
         }
         /// Once per step: 5 multiplications.
+        #[inline(always)]
         fn step(scene: &Scene<T>, _t: T, state: &[T; 4]) -> Step<T> {
             let Scene { c1, .. } = *scene;
             let [x_x, x_y, r, Next_] = *state;
@@ -364,6 +450,7 @@ mod increment {
                 Next_,
             }
         }
+        #[inline(always)]
         fn guess(_scene: &Scene<T>, _step: &Step<T>) -> [T; 4] {
             let zero = T::constant(0.0);
             [zero, zero, zero, zero]
@@ -464,7 +551,7 @@ mod increment {
                 - four_h * Next_next * Next_next_squared * v6;
         }
         /// The state after the step: 4 additions.
-        #[inline]
+        #[inline(always)]
         fn next(_scene: &Scene<T>, step: &Step<T>, unknowns: &[T; 4]) -> [T; 4] {
             let Step { x_x, x_y, r, Next_, .. } = *step;
             let [Delta_x_x, Delta_x_y, Delta_r, Delta_Next] = *unknowns;
@@ -472,7 +559,7 @@ mod increment {
         }
         const HAS_CHANGE: bool = true;
         /// What the step adds to the state: no operations.
-        #[inline]
+        #[inline(always)]
         fn change(_scene: &Scene<T>, _step: &Step<T>, unknowns: &[T; 4]) -> [T; 4] {
             let [Delta_x_x, Delta_x_y, Delta_r, Delta_Next] = *unknowns;
             [Delta_x_x, Delta_x_y, Delta_r, Delta_Next]
@@ -523,6 +610,83 @@ mod increment_core {
         s2: T,
         s3: T,
         s4: T,
+    }
+    impl<T: ::core::marker::Copy> ::residua::Record<T> for Scene<T> {
+        type Array = [T; 15];
+        #[inline(always)]
+        fn from_array(
+            [h,
+            two,
+            scene_over_None,
+            two_v1,
+            Model_,
+            two_h,
+            four_h,
+            h_a_x_type,
+            c1,
+            c2,
+            c3,
+            c4,
+            two_M_12,
+            two_M_21,
+            c5,
+            ]: [T; 15],
+        ) -> Self {
+            Self {
+                h,
+                two,
+                scene_over_None,
+                two_v1,
+                Model_,
+                two_h,
+                four_h,
+                h_a_x_type,
+                c1,
+                c2,
+                c3,
+                c4,
+                two_M_12,
+                two_M_21,
+                c5,
+            }
+        }
+        #[inline(always)]
+        fn to_array(&self) -> [T; 15] {
+            let Self {
+                h,
+                two,
+                scene_over_None,
+                two_v1,
+                Model_,
+                two_h,
+                four_h,
+                h_a_x_type,
+                c1,
+                c2,
+                c3,
+                c4,
+                two_M_12,
+                two_M_21,
+                c5,
+            } = *self;
+            [
+                h,
+                two,
+                scene_over_None,
+                two_v1,
+                Model_,
+                two_h,
+                four_h,
+                h_a_x_type,
+                c1,
+                c2,
+                c3,
+                c4,
+                two_M_12,
+                two_M_21,
+                c5,
+            ]
+        }
     }
     impl<T: ::residua::Scalar> ::residua::System<T> for super::IncrementCore {
         type Model = super::Model;
@@ -598,6 +762,7 @@ mod increment_core {
             }
         }
         /// Once per step: 6 additions, 11 multiplications.
+        #[inline(always)]
         fn step(scene: &Scene<T>, _t: T, state: &[T; 4]) -> Step<T> {
             let Scene { h_a_x_type, c1, c2, c3, c4, two_M_12, two_M_21, .. } = *scene;
             let [x_x, x_y, r, Next_] = *state;
@@ -616,6 +781,7 @@ mod increment_core {
                 s4: x_y + s3,
             }
         }
+        #[inline(always)]
         fn guess(_scene: &Scene<T>, _step: &Step<T>) -> [T; 2] {
             let zero = T::constant(0.0);
             [zero, zero]
@@ -667,7 +833,7 @@ mod increment_core {
         }
         const HAS_CORRECTION: bool = true;
         /// J(x)⁻¹ r(x) in closed form, and the growth of rounding in it: 11 additions, 21 multiplications, 3 divisions, 2 calls.
-        #[inline]
+        #[inline(always)]
         fn correction(
             scene: &Scene<T>,
             step: &Step<T>,
@@ -696,7 +862,7 @@ mod increment_core {
             )
         }
         /// The state after the step: 2 additions.
-        #[inline]
+        #[inline(always)]
         fn next(_scene: &Scene<T>, step: &Step<T>, unknowns: &[T; 2]) -> [T; 4] {
             let Step { r, Next_, s2, s4, .. } = *step;
             let [Delta_r, Delta_Next] = *unknowns;
@@ -704,13 +870,14 @@ mod increment_core {
         }
         const HAS_CHANGE: bool = true;
         /// What the step adds to the state: no operations.
-        #[inline]
+        #[inline(always)]
         fn change(_scene: &Scene<T>, step: &Step<T>, unknowns: &[T; 2]) -> [T; 4] {
             let Step { s1, s3, .. } = *step;
             let [Delta_r, Delta_Next] = *unknowns;
             [-s1, s3, Delta_r, Delta_Next]
         }
         /// Σ|terms|/|Σ terms| over the divisors: no operations.
+        #[inline(always)]
         fn growth(scene: &Scene<T>, _step: &Step<T>, _unknowns: &[T; 2]) -> T {
             let Scene { c5, .. } = *scene;
             c5

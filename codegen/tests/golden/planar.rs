@@ -182,6 +182,18 @@ mod next {
         Gamma_x: T,
         Gamma_y: T,
     }
+    impl<T: ::core::marker::Copy> ::residua::Record<T> for Scene<T> {
+        type Array = [T; 3];
+        #[inline(always)]
+        fn from_array([two_J, h, h_m_g_l]: [T; 3]) -> Self {
+            Self { two_J, h, h_m_g_l }
+        }
+        #[inline(always)]
+        fn to_array(&self) -> [T; 3] {
+            let Self { two_J, h, h_m_g_l } = *self;
+            [two_J, h, h_m_g_l]
+        }
+    }
     impl<T: ::residua::Scalar> ::residua::System<T> for super::Next {
         type Model = super::Model;
         type Unknowns = [T; 3];
@@ -206,10 +218,12 @@ mod next {
             }
         }
         /// Once per step: no operations.
+        #[inline(always)]
         fn step(_scene: &Scene<T>, _t: T, state: &[T; 3]) -> Step<T> {
             let [omega, Gamma_x, Gamma_y] = *state;
             Step { omega, Gamma_x, Gamma_y }
         }
+        #[inline(always)]
         fn guess(_scene: &Scene<T>, step: &Step<T>) -> [T; 3] {
             let Step { omega, Gamma_x, Gamma_y } = *step;
             [omega, Gamma_x, Gamma_y]
@@ -263,7 +277,7 @@ mod next {
             jacobian[2][2] = four;
         }
         /// The state after the step: no operations.
-        #[inline]
+        #[inline(always)]
         fn next(_scene: &Scene<T>, _step: &Step<T>, unknowns: &[T; 3]) -> [T; 3] {
             let [omega_next, Gamma_x_next, Gamma_y_next] = *unknowns;
             [omega_next, Gamma_x_next, Gamma_y_next]
@@ -310,6 +324,33 @@ mod next_core {
         four_Gamma_x: T,
         sixteen_Gamma_y: T,
     }
+    impl<T: ::core::marker::Copy> ::residua::Record<T> for Scene<T> {
+        type Array = [T; 6];
+        #[inline(always)]
+        fn from_array(
+            [h,
+            h_m_g_l,
+            four_h,
+            two_J,
+            h_squared,
+            two_h_squared,
+            ]: [T; 6],
+        ) -> Self {
+            Self {
+                h,
+                h_m_g_l,
+                four_h,
+                two_J,
+                h_squared,
+                two_h_squared,
+            }
+        }
+        #[inline(always)]
+        fn to_array(&self) -> [T; 6] {
+            let Self { h, h_m_g_l, four_h, two_J, h_squared, two_h_squared } = *self;
+            [h, h_m_g_l, four_h, two_J, h_squared, two_h_squared]
+        }
+    }
     impl<T: ::residua::Scalar> ::residua::System<T> for super::NextCore {
         type Model = super::Model;
         type Unknowns = [T; 1];
@@ -344,6 +385,7 @@ mod next_core {
             }
         }
         /// Once per step: 10 multiplications.
+        #[inline(always)]
         fn step(scene: &Scene<T>, _t: T, state: &[T; 3]) -> Step<T> {
             let Scene { h, h_m_g_l, four_h, h_squared, .. } = *scene;
             let [omega, Gamma_x, Gamma_y] = *state;
@@ -362,6 +404,7 @@ mod next_core {
                 sixteen_Gamma_y: sixteen * Gamma_y,
             }
         }
+        #[inline(always)]
         fn guess(_scene: &Scene<T>, step: &Step<T>) -> [T; 1] {
             let Step { omega, .. } = *step;
             [omega]
@@ -427,7 +470,7 @@ mod next_core {
         }
         const HAS_CORRECTION: bool = true;
         /// J(x)⁻¹ r(x) in closed form, and the growth of rounding in it: 12 additions, 14 multiplications, 1 division.
-        #[inline]
+        #[inline(always)]
         fn correction(
             scene: &Scene<T>,
             step: &Step<T>,
@@ -457,7 +500,7 @@ mod next_core {
             ([(v4 + v5 * v6) / (two_h_squared * omega_sum * v6 + two_J * v5 - v7)], zero)
         }
         /// The state after the step: 8 additions, 10 multiplications, 1 division.
-        #[inline]
+        #[inline(always)]
         fn next(scene: &Scene<T>, step: &Step<T>, unknowns: &[T; 1]) -> [T; 3] {
             let Scene { h, .. } = *scene;
             let Step {
@@ -484,6 +527,7 @@ mod next_core {
             [omega_next, v1 * v8, -v9 * v8]
         }
         /// Σ|terms|/|Σ terms| over the divisors: no operations.
+        #[inline(always)]
         fn growth(_scene: &Scene<T>, _step: &Step<T>, _unknowns: &[T; 1]) -> T {
             let zero = T::constant(0.0);
             zero
@@ -522,6 +566,18 @@ mod increment {
         Gamma_y: T,
         two_Gamma_y: T,
     }
+    impl<T: ::core::marker::Copy> ::residua::Record<T> for Scene<T> {
+        type Array = [T; 3];
+        #[inline(always)]
+        fn from_array([two_J, h, h_m_g_l]: [T; 3]) -> Self {
+            Self { two_J, h, h_m_g_l }
+        }
+        #[inline(always)]
+        fn to_array(&self) -> [T; 3] {
+            let Self { two_J, h, h_m_g_l } = *self;
+            [two_J, h, h_m_g_l]
+        }
+    }
     impl<T: ::residua::Scalar> ::residua::System<T> for super::Increment {
         type Model = super::Model;
         type Unknowns = [T; 3];
@@ -546,6 +602,7 @@ mod increment {
             }
         }
         /// Once per step: 3 multiplications.
+        #[inline(always)]
         fn step(_scene: &Scene<T>, _t: T, state: &[T; 3]) -> Step<T> {
             let [omega, Gamma_x, Gamma_y] = *state;
             let two = T::constant(2.0);
@@ -558,6 +615,7 @@ mod increment {
                 two_Gamma_y: two * Gamma_y,
             }
         }
+        #[inline(always)]
         fn guess(_scene: &Scene<T>, _step: &Step<T>) -> [T; 3] {
             let zero = T::constant(0.0);
             [zero, zero, zero]
@@ -611,7 +669,7 @@ mod increment {
             jacobian[2][2] = four;
         }
         /// The state after the step: 3 additions.
-        #[inline]
+        #[inline(always)]
         fn next(_scene: &Scene<T>, step: &Step<T>, unknowns: &[T; 3]) -> [T; 3] {
             let Step { Gamma_x, omega, Gamma_y, .. } = *step;
             let [Delta_omega, Delta_Gamma_x, Delta_Gamma_y] = *unknowns;
@@ -619,7 +677,7 @@ mod increment {
         }
         const HAS_CHANGE: bool = true;
         /// What the step adds to the state: no operations.
-        #[inline]
+        #[inline(always)]
         fn change(_scene: &Scene<T>, _step: &Step<T>, unknowns: &[T; 3]) -> [T; 3] {
             let [Delta_omega, Delta_Gamma_x, Delta_Gamma_y] = *unknowns;
             [Delta_omega, Delta_Gamma_x, Delta_Gamma_y]
@@ -666,6 +724,46 @@ mod increment_core {
         two_h_Gamma_y: T,
         four_h_Gamma_x: T,
     }
+    impl<T: ::core::marker::Copy> ::residua::Record<T> for Scene<T> {
+        type Array = [T; 8];
+        #[inline(always)]
+        fn from_array(
+            [h,
+            h_m_g_l,
+            four_h,
+            J,
+            h_squared,
+            two_h_squared,
+            two_h_m_g_l,
+            two_h,
+            ]: [T; 8],
+        ) -> Self {
+            Self {
+                h,
+                h_m_g_l,
+                four_h,
+                J,
+                h_squared,
+                two_h_squared,
+                two_h_m_g_l,
+                two_h,
+            }
+        }
+        #[inline(always)]
+        fn to_array(&self) -> [T; 8] {
+            let Self {
+                h,
+                h_m_g_l,
+                four_h,
+                J,
+                h_squared,
+                two_h_squared,
+                two_h_m_g_l,
+                two_h,
+            } = *self;
+            [h, h_m_g_l, four_h, J, h_squared, two_h_squared, two_h_m_g_l, two_h]
+        }
+    }
     impl<T: ::residua::Scalar> ::residua::System<T> for super::IncrementCore {
         type Model = super::Model;
         type Unknowns = [T; 1];
@@ -702,6 +800,7 @@ mod increment_core {
             }
         }
         /// Once per step: 6 multiplications.
+        #[inline(always)]
         fn step(scene: &Scene<T>, _t: T, state: &[T; 3]) -> Step<T> {
             let Scene { h_m_g_l, four_h, h_squared, two_h, .. } = *scene;
             let [omega, Gamma_x, Gamma_y] = *state;
@@ -718,6 +817,7 @@ mod increment_core {
                 four_h_Gamma_x: four_h * Gamma_x,
             }
         }
+        #[inline(always)]
         fn guess(_scene: &Scene<T>, _step: &Step<T>) -> [T; 1] {
             let zero = T::constant(0.0);
             [zero]
@@ -776,7 +876,7 @@ mod increment_core {
         }
         const HAS_CORRECTION: bool = true;
         /// J(x)⁻¹ r(x) in closed form, and the growth of rounding in it: 8 additions, 12 multiplications, 1 division.
-        #[inline]
+        #[inline(always)]
         fn correction(
             scene: &Scene<T>,
             step: &Step<T>,
@@ -806,7 +906,7 @@ mod increment_core {
             ([(v1 + v3 * v4) / v5], zero)
         }
         /// The state after the step: 7 additions, 10 multiplications, 1 division.
-        #[inline]
+        #[inline(always)]
         fn next(scene: &Scene<T>, step: &Step<T>, unknowns: &[T; 1]) -> [T; 3] {
             let Scene { h, .. } = *scene;
             let Step {
@@ -830,7 +930,7 @@ mod increment_core {
         }
         const HAS_CHANGE: bool = true;
         /// What the step adds to the state: 4 additions, 10 multiplications, 1 division.
-        #[inline]
+        #[inline(always)]
         fn change(scene: &Scene<T>, step: &Step<T>, unknowns: &[T; 1]) -> [T; 3] {
             let Scene { h, .. } = *scene;
             let Step {
@@ -852,6 +952,7 @@ mod increment_core {
             [Delta_omega, two * v7, -two * v8]
         }
         /// Σ|terms|/|Σ terms| over the divisors: no operations.
+        #[inline(always)]
         fn growth(_scene: &Scene<T>, _step: &Step<T>, _unknowns: &[T; 1]) -> T {
             let zero = T::constant(0.0);
             zero

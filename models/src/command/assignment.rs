@@ -22,6 +22,11 @@ impl Assignment {
         let own = text.split(['.', '(']).next().unwrap_or(text);
         own == name || Some(own) == ascii_spelling(name).as_deref()
     }
+
+    /// Behind the `=`.
+    pub fn value(&self) -> &str {
+        &self.value
+    }
 }
 
 impl fmt::Display for Assignment {
@@ -71,6 +76,28 @@ pub fn assign(
     Ok(())
 }
 
+/// The position of the one component that is assigned to, and what may be assigned.
+pub fn component_of<'a>(
+    assignment: &'a Assignment,
+    target: &Target<'a>,
+) -> Result<(usize, Symbol<'a>), Failure> {
+    let place = place(assignment, target)?;
+    match place.symbol.shape {
+        (1, 1) => Ok((place.range.start, place.symbol)),
+        (rows, cols) => {
+            let last = match cols {
+                1 => format!("({rows})"),
+                _ => format!("({rows},{cols})"),
+            };
+            let name = place.symbol.name;
+            Err(Failure::input_with_help(
+                format!("`{name}` has {} components, not one", rows * cols),
+                format!("name one of them, as in {name}{last}"),
+            ))
+        }
+    }
+}
+
 fn bad_value(assignment: &Assignment, message: &str) -> Failure {
     Failure::input(format!("in `{assignment}`: {message}"))
 }
@@ -81,7 +108,7 @@ struct Place<'a> {
     symbol: Symbol<'a>,
 }
 
-fn place<'a>(assignment: &'a Assignment, target: &Target<'_>) -> Result<Place<'a>, Failure> {
+fn place<'a>(assignment: &'a Assignment, target: &Target<'a>) -> Result<Place<'a>, Failure> {
     let text = assignment.target.as_str();
     // A component that is all a scene has left of a variable has a name such as `R(2,1)`.
     let is_named = |v: &Variable| text == v.name;

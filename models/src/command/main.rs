@@ -16,6 +16,7 @@ mod new;
 mod report;
 mod show;
 mod simulate;
+mod sweep;
 mod table;
 
 use clap::{Parser, Subcommand};
@@ -38,6 +39,7 @@ struct Command {
 enum Verb {
     List(list::List),
     Simulate(simulate::Simulate),
+    Sweep(sweep::Sweep),
     Check(check::Check),
     Explain(explain::Explain),
     Errata(errata::Errata),
@@ -50,6 +52,7 @@ fn main() -> ExitCode {
     let outcome = match Command::parse().verb {
         Verb::List(list) => list.run(),
         Verb::Simulate(simulate) => simulate.run(),
+        Verb::Sweep(sweep) => sweep.run(),
         Verb::Check(check) => check.run(),
         Verb::Explain(explain) => explain.run(),
         Verb::Errata(errata) => errata.run(),

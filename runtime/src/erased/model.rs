@@ -52,12 +52,12 @@ impl AnyModel for Stub {
 }
 
 /// The parameters of `M` with these values.
-pub(super) fn parameters<M: Model<T>, T: Scalar>(values: &[f64]) -> M::Parameters {
+pub(crate) fn parameters<M: Model<T>, T: Scalar>(values: &[f64]) -> M::Parameters {
     filled(&M::Parameters::default(), values)
 }
 
 /// The state of `M` with these values.
-pub(super) fn state<M: Model<T>, T: Scalar>(
+pub(crate) fn state<M: Model<T>, T: Scalar>(
     parameters: &M::Parameters,
     values: &[f64],
 ) -> M::State {

@@ -1,6 +1,8 @@
 //! Residual, Jacobian and steps of one solver over flat slices.
 
 use core::marker::PhantomData;
+#[cfg(feature = "ensemble")]
+use std::vec::Vec;
 
 #[cfg(feature = "dual")]
 use num_dual::Dual64;
@@ -9,6 +11,16 @@ use super::model;
 use super::simulate::Observer;
 use super::simulate::Run;
 use crate::description::Solver;
+#[cfg(feature = "ensemble")]
+use crate::ensemble::Ensemble;
+#[cfg(feature = "ensemble")]
+use crate::ensemble::Fleet;
+#[cfg(feature = "ensemble")]
+use crate::ensemble::Outcome;
+#[cfg(feature = "ensemble")]
+use crate::ensemble::Wide;
+#[cfg(feature = "ensemble")]
+use crate::error::InvalidRun;
 use crate::error::RunError;
 use crate::linear::Solvable;
 use crate::linear::SquareMatrix;
@@ -50,21 +62,35 @@ pub trait AnySolver: Sync {
     fn next(&self, at: &Point, x: &[f64], out: &mut [f64]);
     /// Runs the solver and shows states to `observer`, which may stop it.
     fn simulate(&self, run: &Run, observer: &mut Observer) -> Result<Statistics, RunError>;
+    /// Runs many trajectories, and returns how each of them ended; see [`Ensemble`].
+    ///
+    /// Errors: the step is 0, or it or the start time is infinite or NaN.
+    #[cfg(feature = "ensemble")]
+    fn fly(&self, fleet: &Fleet) -> Result<Vec<Outcome>, InvalidRun>;
 }
 
-/// A system that works on all that an [`ErasedSolver`] computes with: `f64` and, with the feature `dual`,
-/// dual numbers. Generated systems do.
-#[cfg(feature = "dual")]
-pub trait Differentiable: Solvable<f64> + System<Dual64> {}
-#[cfg(feature = "dual")]
-impl<S: Solvable<f64> + System<Dual64>> Differentiable for S {}
+/// A system that works on all that an [`ErasedSolver`] computes with: `f64`, with the feature `dual` dual numbers, with
+/// the feature `ensemble` lanes. Generated systems do.
+pub trait Differentiable: Solvable<f64> + OnDuals + OnLanes {}
+impl<S: Solvable<f64> + OnDuals + OnLanes> Differentiable for S {}
 
-/// A system that works on all that an [`ErasedSolver`] computes with: `f64` and, with the feature `dual`,
-/// dual numbers. Generated systems do.
+#[cfg(feature = "dual")]
+pub trait OnDuals: System<Dual64> {}
+#[cfg(feature = "dual")]
+impl<S: System<Dual64>> OnDuals for S {}
 #[cfg(not(feature = "dual"))]
-pub trait Differentiable: Solvable<f64> {}
+pub trait OnDuals {}
 #[cfg(not(feature = "dual"))]
-impl<S: Solvable<f64>> Differentiable for S {}
+impl<S> OnDuals for S {}
+
+#[cfg(feature = "ensemble")]
+pub trait OnLanes: Wide + 'static {}
+#[cfg(feature = "ensemble")]
+impl<S: Wide + 'static> OnLanes for S {}
+#[cfg(not(feature = "ensemble"))]
+pub trait OnLanes {}
+#[cfg(not(feature = "ensemble"))]
+impl<S> OnLanes for S {}
 
 /// `S` as an [`AnySolver`].
 pub struct ErasedSolver<S>(PhantomData<fn() -> S>);
@@ -116,6 +142,11 @@ impl<S: Differentiable> AnySolver for ErasedSolver<S> {
         let (parameters, start) = run.records::<<S as System<f64>>::Model>()?;
         let stepper = Stepper::<S>::new(parameters, start, run.h)?.at(run.t0)?;
         run.through(stepper.with_settings(run.settings), observer)
+    }
+
+    #[cfg(feature = "ensemble")]
+    fn fly(&self, fleet: &Fleet) -> Result<Vec<Outcome>, InvalidRun> {
+        Ensemble::<S>::NEW.fly(fleet)
     }
 }
 

@@ -129,6 +129,18 @@ pub struct Scene<T> {
     parameters: Parameters<T>,
 }
 
+impl<T: Scalar> Record<T> for Scene<T> {
+    type Array = [T; 4];
+    fn from_array([h, c, u, v]: [T; 4]) -> Self {
+        let parameters = Parameters { c, unit: [u, v] };
+        Self { h, parameters }
+    }
+    fn to_array(&self) -> [T; 4] {
+        let Parameters { c, unit: [u, v] } = self.parameters;
+        [self.h, c, u, v]
+    }
+}
+
 impl<T: Scalar> System<T> for Next {
     type Model = Model;
     type Unknowns = [T; 2];
@@ -178,6 +190,21 @@ impl<T: Scalar> System<T> for Next {
             [u, -(half * v)],
             [half * scene.parameters.c * angle.cos() * u, v],
         ];
+    }
+
+    const HAS_CORRECTION: bool = true;
+
+    fn correction(scene: &Scene<T>, step: &[T; 2], x: &[T; 2]) -> ([T; 2], T) {
+        let (mut r, mut j) = <Self as System<T>>::zeros();
+        Self::residual_and_jacobian(scene, step, x, &mut r, &mut j);
+        let [[a, b], [c, d]] = j;
+        let (ad, bc) = (a * d, b * c);
+        let determinant = ad - bc;
+        let x = [
+            (d * r[0] - b * r[1]) / determinant,
+            (a * r[1] - c * r[0]) / determinant,
+        ];
+        (x, (ad.abs() + bc.abs()) / determinant.abs())
     }
 
     fn next(_scene: &Scene<T>, _step: &[T; 2], x: &[T; 2]) -> [T; 2] {

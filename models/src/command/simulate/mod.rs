@@ -1,7 +1,7 @@
 //! `residua simulate`: a run, its rows, its picture, and a summary.
 
 mod drift;
-mod plan;
+pub mod plan;
 mod recorder;
 mod rows;
 mod trace;

@@ -71,7 +71,8 @@ pub fn plan(options: &Simulate, model: &Catalogued) -> Result<Plan, Failure> {
     })
 }
 
-fn steps(step: f64, until: f64) -> Result<(u64, Option<String>), Failure> {
+/// Checks step and end time; returns the number of steps, and what is to be said about the last one.
+pub fn steps(step: f64, until: f64) -> Result<(u64, Option<String>), Failure> {
     if !(step.is_finite() && step > 0.0) {
         return Err(Failure::input(format!(
             "the step is {step}, not a positive number"
@@ -115,7 +116,7 @@ fn scheme(options: &Simulate, model: &Catalogued) -> Result<Scheme, Failure> {
 }
 
 /// The solver of a form, or the first one.
-fn solver(form: Option<&str>, model: &Catalogued) -> Result<&'static dyn AnySolver, Failure> {
+pub fn solver(form: Option<&str>, model: &Catalogued) -> Result<&'static dyn AnySolver, Failure> {
     let name = model.description.name;
     let wanted = |solver: &&&'static dyn AnySolver| form.is_none_or(|f| solver.solver().form == f);
     model.solvers.iter().find(wanted).copied().ok_or_else(|| {
@@ -185,7 +186,7 @@ fn refuse_skipped(assignment: &Assignment, description: &Description) -> Result<
 }
 
 /// The parameters under their names.
-fn symbols<'a>(variables: &'a [Variable], values: &[f64]) -> Vec<(Symbol<'a>, Vec<f64>)> {
+pub fn symbols<'a>(variables: &'a [Variable], values: &[f64]) -> Vec<(Symbol<'a>, Vec<f64>)> {
     let mut offset = 0;
     let symbol = |variable: &'a Variable| {
         let len = variable.rows * variable.cols;

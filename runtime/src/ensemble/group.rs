@@ -1,0 +1,492 @@
+//! A group of trajectories that take their steps together.
+
+use std::boxed::Box;
+use std::mem;
+use std::vec;
+use std::vec::Vec;
+
+use pulp::Arch;
+
+use super::Fleet;
+use super::Outcome;
+use super::judge;
+use super::kernel::Alone;
+use super::kernel::Departure;
+use super::kernel::Kernel;
+use super::kernel::Landing;
+use super::kernel::Start;
+use super::rows::Mask;
+use super::rows::Row;
+use super::rows::WIDTH;
+use super::rows::all;
+use super::rows::get;
+use super::rows::merge;
+use super::rows::put;
+use super::rows::zeros;
+use super::shifts::Shifts;
+use crate::erased::Sample;
+use crate::error::RunError;
+use crate::report::Statistics;
+use crate::settings::MOST_QUICK;
+use crate::settings::RATE_MARGIN;
+use crate::settings::Strategy;
+use crate::settings::TRUSTED_STEPS;
+
+/// Steps that a trajectory takes alone after one that it could not take with its group. Each time twice as many as
+/// before: more keeps it from disturbing the group, fewer gets it back to its speed.
+const FIRST_ABSENCE: u64 = 32;
+
+/// The limit of a trajectory that is to be corrected more than once.
+const NEVER: f64 = -1.0;
+
+/// Where a trajectory is.
+enum Seat {
+    /// In step with the others.
+    Together,
+    /// On its own until it has taken so many steps.
+    Alone { run: Box<dyn Alone>, until: u64 },
+    /// It has failed, or there is none.
+    Out,
+}
+
+/// Trajectories `first`, `first + 1`, … of a fleet, at most [`WIDTH`].
+pub(super) struct Group<'a> {
+    kernel: &'a dyn Kernel,
+    fleet: &'a Fleet<'a>,
+    arch: Arch,
+    first: usize,
+    step: u64,
+    parameters: Vec<Row>,
+    scene: Vec<Row>,
+    state: Vec<Row>,
+    next: Vec<Row>,
+    /// What the sums of increments have lost to rounding, before and after the step.
+    lost: [Vec<Row>; 2],
+    shifts: Shifts,
+    /// First corrections up to here leave less than rounding, as second ones told.
+    enough: Vec<Row>,
+    /// The step at which that is found out anew.
+    due: [u64; WIDTH],
+    /// The first step at which it is for any trajectory.
+    quiet_until: u64,
+    start: Vec<Row>,
+    x: Vec<Row>,
+    correction: Vec<Row>,
+    sound: Row,
+    within: Row,
+    /// 1 for those that are not in step, else 0.
+    idle: Row,
+    seats: Vec<Seat>,
+    together: usize,
+    alone: usize,
+    absences: [u32; WIDTH],
+    /// First corrections of all, and what each trajectory had more or less.
+    rounds: u64,
+    iterations: [i64; WIDTH],
+    /// What earlier steps alone have cost.
+    apart: [Statistics; WIDTH],
+    outcomes: Vec<Outcome>,
+    /// A state, for the observer.
+    column: Vec<f64>,
+}
+
+impl<'a> Group<'a> {
+    /// `count` trajectories at their starts.
+    pub(super) fn new(
+        kernel: &'a dyn Kernel,
+        fleet: &'a Fleet<'a>,
+        first: usize,
+        count: usize,
+    ) -> Self {
+        let sizes = kernel.sizes();
+        let rows = |n| zeros(n);
+        let mut group = Self {
+            kernel,
+            fleet,
+            arch: Arch::new(),
+            first,
+            step: 0,
+            parameters: rows(sizes.parameters),
+            scene: rows(sizes.scene),
+            state: rows(sizes.state),
+            next: rows(sizes.state),
+            lost: [rows(sizes.state), rows(sizes.state)],
+            shifts: Shifts::new(sizes.unknowns),
+            enough: vec![all(NEVER); sizes.unknowns],
+            due: [0; WIDTH],
+            quiet_until: 0,
+            start: rows(sizes.unknowns),
+            x: rows(sizes.unknowns),
+            correction: rows(sizes.unknowns),
+            sound: all(0.0),
+            within: all(0.0),
+            idle: all(1.0),
+            seats: (0..WIDTH).map(|_| Seat::Out).collect(),
+            together: 0,
+            alone: 0,
+            absences: [0; WIDTH],
+            rounds: 0,
+            iterations: [0; WIDTH],
+            apart: [Statistics::default(); WIDTH],
+            outcomes: vec![Outcome::default(); count],
+            column: vec![0.0; sizes.state],
+        };
+        let mut parameters = vec![0.0; sizes.parameters];
+        let mut scene = vec![0.0; sizes.scene];
+        for lane in 0..WIDTH {
+            // Empty seats compute what the last one does, and nobody looks.
+            if lane < count {
+                (fleet.fill)(first + lane, &mut parameters, &mut group.column);
+                kernel.scene(&parameters, fleet.h, &mut scene);
+            }
+            put(&mut group.parameters, lane, &parameters);
+            put(&mut group.scene, lane, &scene);
+            put(&mut group.state, lane, &group.column);
+            if lane < count {
+                group.seat(lane);
+            }
+        }
+        group
+    }
+
+    /// Takes all steps.
+    pub(super) fn run(mut self) -> Vec<Outcome> {
+        let Fleet { steps, every, .. } = *self.fleet;
+        if every > 0 {
+            self.show();
+        }
+        while self.step < steps && self.together + self.alone > 0 {
+            self.advance();
+            if self.step == steps || (every > 0 && self.step.is_multiple_of(every)) {
+                self.show();
+            }
+        }
+        for lane in 0..self.outcomes.len() {
+            self.leave(lane);
+        }
+        self.outcomes
+    }
+
+    /// Starts a trajectory: in step, where the model and the settings allow it.
+    fn seat(&mut self, lane: usize) {
+        let settings = self.fleet.settings;
+        let values = self.parameters.iter().chain(&self.state);
+        let is_finite = values.fold(true, |all, row| all & row[lane].is_finite());
+        let can_join = self.kernel.has_correction()
+            && settings.strategy == Strategy::Core
+            && settings.tolerance >= f64::EPSILON;
+        if can_join && is_finite {
+            self.join(lane);
+        } else {
+            self.depart(lane, u64::MAX);
+        }
+    }
+
+    fn join(&mut self, lane: usize) {
+        self.seats[lane] = Seat::Together;
+        self.idle[lane] = 0.0;
+        self.together += 1;
+        self.iterations[lane] -= self.rounds as i64;
+        (self.due[lane], self.quiet_until) = (self.step, self.step);
+        for row in &mut self.lost[0] {
+            row[lane] = 0.0;
+        }
+        self.shifts.forget(lane);
+    }
+
+    fn advance(&mut self) {
+        if self.together > 0 {
+            self.advance_together();
+        }
+        if self.alone > 0 {
+            self.advance_alone();
+        }
+        mem::swap(&mut self.state, &mut self.next);
+        self.step += 1;
+        if self.alone > 0 {
+            self.rejoin();
+        }
+    }
+
+    #[inline]
+    fn advance_together(&mut self) {
+        let t = self.t();
+        let is_quiet = self.step < self.quiet_until;
+        if !is_quiet {
+            self.set_out();
+        }
+        self.shifts.ahead(self.arch, &mut self.start);
+        let [lost, lost_next] = &mut self.lost;
+        let start = Start {
+            t,
+            scene: &self.scene,
+            state: &self.state,
+            lost,
+            shift: &self.start,
+            enough: &self.enough,
+            idle: &self.idle,
+        };
+        let landing = Landing {
+            shift: self.shifts.next(),
+            x: &mut self.x,
+            correction: &mut self.correction,
+            next: &mut self.next,
+            lost: lost_next,
+            sound: &mut self.sound,
+            within: &mut self.within,
+        };
+        let done = self.kernel.correct(self.arch, start, landing);
+        self.rounds += 1;
+        if !done {
+            self.correct_again();
+        }
+        if !is_quiet {
+            self.settle();
+        }
+        if self.fleet.settings.compensated {
+            self.lost.swap(0, 1);
+        }
+        self.shifts.push();
+    }
+
+    /// Who is to find out now what is enough.
+    fn is_due(&self, lane: usize) -> bool {
+        self.due[lane] <= self.step && self.idle[lane] == 0.0
+    }
+
+    /// Those who are due set out from further away, and with no limit to the first correction but the second.
+    #[cold]
+    fn set_out(&mut self) {
+        let due: Mask = core::array::from_fn(|lane| self.is_due(lane));
+        let scales = judge::scales(self.kernel.blocks(), &self.state, &self.x);
+        self.shifts.set_out(self.arch, &due, &scales);
+        for enough in &mut self.enough {
+            for lane in 0..WIDTH {
+                enough[lane] = if due[lane] { NEVER } else { enough[lane] };
+            }
+        }
+    }
+
+    /// After a step that was not quiet: who is due next?
+    #[cold]
+    fn settle(&mut self) {
+        self.shifts.weigh(&[false; WIDTH]);
+        let together = (0..WIDTH).filter(|lane| self.idle[*lane] == 0.0);
+        let next = together.map(|lane| self.due[lane]).min();
+        // Those who still are due are so in the next step.
+        self.quiet_until = next.unwrap_or(u64::MAX);
+    }
+
+    /// Goes on with those that one correction was not enough for, and leaves the others as they are.
+    #[cold]
+    fn correct_again(&mut self) {
+        let blocks = self.kernel.blocks();
+        let tolerance = self.fleet.settings.tolerance;
+        let n = self.start.len();
+        let mut open: Mask = core::array::from_fn(|i| self.idle[i] == 0.0 && self.within[i] == 0.0);
+        let mut before = judge::progress(blocks, &self.state, &self.x, &self.correction, tolerance);
+        let first = self.correction.clone();
+        let (mut shift, mut next, mut lost) = (zeros(n), self.next.clone(), self.lost[1].clone());
+        self.start.copy_from_slice(self.shifts.next());
+        let mut last_x = self.x.clone();
+        for round in 2..=MOST_QUICK {
+            let start = Start {
+                t: self.t(),
+                scene: &self.scene,
+                state: &self.state,
+                lost: &self.lost[0],
+                shift: &self.start,
+                enough: &self.enough,
+                idle: &self.idle,
+            };
+            let landing = Landing {
+                shift: &mut shift,
+                x: &mut last_x,
+                correction: &mut self.correction,
+                next: &mut next,
+                lost: &mut lost,
+                sound: &mut self.sound,
+                within: &mut self.within,
+            };
+            self.kernel.correct(self.arch, start, landing);
+            let now = judge::progress(blocks, &self.state, &last_x, &self.correction, tolerance);
+            if round == 2 {
+                let limits = judge::limits(blocks, &self.state, &last_x, &first, &self.correction);
+                self.learn(&open, &limits);
+            }
+            let mut accepted = [false; WIDTH];
+            for i in 0..WIDTH {
+                let is_last = now.size[i] * now.size[i] <= RATE_MARGIN * tolerance * before.size[i];
+                let is_small = now.converged[i] && now.size[i] <= before.size[i];
+                let is_enough = self.within[i] != 0.0 || is_last || is_small;
+                accepted[i] = open[i] && self.sound[i] != 0.0 && is_enough;
+                self.iterations[i] += i64::from(open[i]);
+                open[i] &= !accepted[i];
+            }
+            merge(self.shifts.next(), &shift, &accepted);
+            merge(&mut self.next, &next, &accepted);
+            merge(&mut self.lost[1], &lost, &accepted);
+            merge(&mut self.x, &last_x, &accepted);
+            if open == [false; WIDTH] {
+                return;
+            }
+            self.start.copy_from_slice(&shift);
+            before = now;
+        }
+        for lane in (0..WIDTH).filter(|lane| open[*lane]) {
+            let absence = FIRST_ABSENCE << self.absences[lane].min(32);
+            self.absences[lane] += 1;
+            self.depart(lane, self.step.saturating_add(absence));
+        }
+    }
+
+    /// Takes in the limits of those who are due, and the larger ones of others.
+    fn learn(&mut self, open: &Mask, limits: &[Row]) {
+        for lane in (0..WIDTH).filter(|lane| open[*lane]) {
+            let is_due = self.is_due(lane);
+            if is_due && self.shifts.are_many(lane) {
+                self.due[lane] = self.step + 1 + u64::from(TRUSTED_STEPS);
+            }
+            for (enough, limit) in self.enough.iter_mut().zip(limits) {
+                if is_due || limit[lane] > enough[lane] {
+                    enough[lane] = limit[lane];
+                }
+            }
+        }
+    }
+
+    /// Lets a trajectory go on alone from the state before the step.
+    fn depart(&mut self, lane: usize, until: u64) {
+        self.stand_up(lane);
+        let mut parameters = vec![0.0; self.parameters.len()];
+        get(&self.parameters, lane, &mut parameters);
+        get(&self.state, lane, &mut self.column);
+        let departure = Departure {
+            parameters: &parameters,
+            state: &self.column,
+            h: self.fleet.h,
+            t0: self.fleet.t0,
+            steps: self.step,
+            settings: self.fleet.settings,
+        };
+        self.seats[lane] = match self.kernel.alone(&departure) {
+            Ok(run) => {
+                self.alone += 1;
+                Seat::Alone { run, until }
+            }
+            Err(error) => {
+                self.outcomes[lane].error = Some(error.into());
+                Seat::Out
+            }
+        };
+    }
+
+    /// The steps of those that are alone. Who fails is shown where it was, and out.
+    fn advance_alone(&mut self) {
+        for lane in 0..self.outcomes.len() {
+            let Seat::Alone { run, .. } = &mut self.seats[lane] else {
+                continue;
+            };
+            match run.step() {
+                Ok(()) => {
+                    self.outcomes[lane].alone += 1;
+                    put(&mut self.next, lane, run.state());
+                }
+                Err(error) => {
+                    self.show_one(lane);
+                    self.outcomes[lane].error = Some(RunError::Step(error));
+                    self.leave(lane);
+                }
+            }
+        }
+    }
+
+    /// Takes those back who have been alone long enough.
+    fn rejoin(&mut self) {
+        for lane in 0..self.outcomes.len() {
+            match &self.seats[lane] {
+                Seat::Alone { until, .. } if *until <= self.step => {}
+                _ => continue,
+            }
+            self.stand_up(lane);
+            self.join(lane);
+        }
+    }
+
+    /// Ends a trajectory.
+    fn leave(&mut self, lane: usize) {
+        if !matches!(self.seats[lane], Seat::Out) {
+            self.outcomes[lane].statistics = self.statistics(lane);
+            self.stand_up(lane);
+        }
+    }
+
+    /// Leaves a seat, and adds up what it has cost to sit there.
+    fn stand_up(&mut self, lane: usize) {
+        match mem::replace(&mut self.seats[lane], Seat::Out) {
+            Seat::Together => {
+                self.together -= 1;
+                self.iterations[lane] += self.rounds as i64;
+            }
+            Seat::Alone { run, .. } => {
+                self.alone -= 1;
+                add(&mut self.apart[lane], run.statistics());
+            }
+            Seat::Out => {}
+        }
+        self.idle[lane] = 1.0;
+    }
+
+    /// What a trajectory has cost up to here.
+    fn statistics(&self, lane: usize) -> Statistics {
+        let mut sum = self.apart[lane];
+        let mut iterations = self.iterations[lane];
+        match &self.seats[lane] {
+            Seat::Together => iterations += self.rounds as i64,
+            Seat::Alone { run, .. } => add(&mut sum, run.statistics()),
+            Seat::Out => {}
+        }
+        let iterations = iterations as u64;
+        let together = Statistics {
+            iterations,
+            residuals: iterations,
+            jacobians: iterations,
+            factorizations: iterations,
+            ..Statistics::default()
+        };
+        add(&mut sum, together);
+        sum.steps = self.step;
+        sum
+    }
+
+    fn t(&self) -> f64 {
+        self.fleet.t0 + self.step as f64 * self.fleet.h
+    }
+
+    fn show(&mut self) {
+        for lane in 0..self.outcomes.len() {
+            if !matches!(self.seats[lane], Seat::Out) {
+                self.show_one(lane);
+            }
+        }
+    }
+
+    fn show_one(&mut self, lane: usize) {
+        get(&self.state, lane, &mut self.column);
+        let sample = Sample {
+            step: self.step,
+            t: self.t(),
+            state: &self.column,
+            statistics: self.statistics(lane),
+        };
+        (self.fleet.observer)(self.first + lane, sample);
+    }
+}
+
+fn add(sum: &mut Statistics, more: Statistics) {
+    sum.iterations += more.iterations;
+    sum.residuals += more.residuals;
+    sum.jacobians += more.jacobians;
+    sum.factorizations += more.factorizations;
+    sum.fallbacks += more.fallbacks;
+}

@@ -1,0 +1,126 @@
+//! What corrections say about the iterations of a group, trajectory by trajectory: the rules of the thorough Newton's
+//! method of one, on rows.
+
+use std::vec::Vec;
+
+use super::rows::Mask;
+use super::rows::Row;
+use super::rows::WIDTH;
+use super::rows::all;
+use crate::description::Unknown;
+use crate::settings::AT_ROUNDING;
+use crate::settings::LEFTOVER;
+
+/// What one correction says.
+pub(crate) struct Progress {
+    /// The largest correction relative to the scale of its block.
+    pub(crate) size: Row,
+    /// Every block is within the tolerance.
+    pub(crate) converged: Mask,
+}
+
+/// Judges `correction`, that has led to `x`, block by block.
+pub(crate) fn progress(
+    blocks: &[Unknown],
+    state: &[Row],
+    x: &[Row],
+    correction: &[Row],
+    tolerance: f64,
+) -> Progress {
+    let mut size = all(0.0);
+    let mut converged = [true; WIDTH];
+    let mut offset = 0;
+    for block in blocks {
+        let unknowns = offset..offset + block.len;
+        offset = unknowns.end;
+        let scale = scale(block, state, &x[unknowns.clone()]);
+        let length = largest(&correction[unknowns]);
+        for i in 0..WIDTH {
+            converged[i] &= length[i] <= tolerance * scale[i];
+            let is_larger = length[i] > size[i] * scale[i];
+            size[i] = if is_larger {
+                length[i] / scale[i]
+            } else {
+                size[i]
+            };
+        }
+    }
+    Progress { size, converged }
+}
+
+/// The scale of each unknown: the largest |x| in its block and in the state that the block advances.
+pub(crate) fn scales(blocks: &[Unknown], state: &[Row], x: &[Row]) -> Vec<Row> {
+    let mut scales = Vec::with_capacity(x.len());
+    for block in blocks {
+        let offset = scales.len();
+        let scale = scale(block, state, &x[offset..offset + block.len]);
+        scales.resize(offset + block.len, scale);
+    }
+    scales
+}
+
+/// Limits for the first correction, as the second tells: Newton's method converges quadratically, and had all of the
+/// first been smaller by a factor, the second would have been by its square.
+pub(crate) fn limits(
+    blocks: &[Unknown],
+    state: &[Row],
+    x: &[Row],
+    first: &[Row],
+    second: &[Row],
+) -> Vec<Row> {
+    let least = LEFTOVER * f64::EPSILON;
+    let mut square = all(LEFTOVER);
+    let mut offset = 0;
+    for block in blocks {
+        let unknowns = offset..offset + block.len;
+        offset = unknowns.end;
+        let scale = scale(block, state, &x[unknowns.clone()]);
+        let size = largest(&second[unknowns]);
+        for i in 0..WIDTH {
+            let is_seen = size[i] > AT_ROUNDING * f64::EPSILON * scale[i];
+            let is_less = least * scale[i] < square[i] * size[i];
+            square[i] = if is_seen & is_less {
+                least * scale[i] / size[i]
+            } else {
+                square[i]
+            };
+        }
+    }
+    let mut limits = Vec::with_capacity(first.len());
+    for block in blocks {
+        let offset = limits.len();
+        let mut limit = largest(&first[offset..offset + block.len]);
+        for i in 0..WIDTH {
+            limit[i] *= square[i].sqrt();
+        }
+        limits.resize(offset + block.len, limit);
+    }
+    limits
+}
+
+fn scale(block: &Unknown, state: &[Row], x: &[Row]) -> Row {
+    let mut scale = largest(x);
+    if let Some(measure) = &block.measure {
+        let known = largest(&state[measure.clone()]);
+        for i in 0..WIDTH {
+            scale[i] = if known[i] > scale[i] {
+                known[i]
+            } else {
+                scale[i]
+            };
+        }
+    }
+    scale
+}
+
+/// The largest magnitude among finite numbers of each column.
+fn largest(rows: &[Row]) -> Row {
+    let mut largest = all(0.0);
+    for row in rows {
+        for i in 0..WIDTH {
+            let size = row[i].abs();
+            largest[i] = if size > largest[i] { size } else { largest[i] };
+        }
+    }
+    largest
+}

@@ -1,0 +1,355 @@
+//! What a group needs of a model: one Newton correction of all its trajectories, as a loop over them.
+//!
+//! The body of the loop is the code that the generator has emitted, without a branch, on [`Lanes`]: the compiler
+//! makes vector instructions of it, once for each instruction set, and the machine is asked which to run.
+
+use core::marker::PhantomData;
+use std::boxed::Box;
+
+use pulp::Arch;
+use pulp::NullaryFnOnce;
+
+use super::rows::Row;
+use super::rows::WIDTH;
+use super::rows::lanes;
+use super::rows::set_lanes;
+use crate::description::Count;
+use crate::description::Unknown;
+use crate::erased::parameters;
+use crate::erased::state;
+use crate::error::InvalidRun;
+use crate::error::StepError;
+use crate::lanes::Lanes;
+use crate::linear::Solvable;
+use crate::model::Model;
+use crate::model::Record;
+use crate::model::System;
+use crate::report::Statistics;
+use crate::scalar::Scalar;
+use crate::settings::MOST_GROWTH;
+use crate::settings::Settings;
+use crate::stepper::Stepper;
+
+/// Trajectories in one [`Lanes`]. The loop over lanes is what becomes vector instructions; two vectors at a time have
+/// more to do while a division lasts, where there are registers for two.
+const SINGLE: usize = 1;
+const DOUBLE: usize = 2;
+
+/// A system that an ensemble can advance. Nothing implements it by hand: generated systems have it.
+pub trait Wide: Solvable<f64> + System<Lanes<SINGLE>> + System<Lanes<DOUBLE>> {}
+
+impl<S: Solvable<f64> + System<Lanes<SINGLE>> + System<Lanes<DOUBLE>>> Wide for S {}
+
+/// Two vectors at a time: where there is one unknown, and nothing but arithmetic.
+const fn is_small(blocks: &[Unknown], counts: &[(&str, Count)]) -> bool {
+    let mut calls = 0;
+    let mut i = 0;
+    while i < counts.len() {
+        calls += counts[i].1.calls;
+        i += 1;
+    }
+    matches!(blocks, [block] if block.len == 1) && calls == 0
+}
+
+/// Numbers of components.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Sizes {
+    pub(crate) scene: usize,
+    pub(crate) state: usize,
+    pub(crate) parameters: usize,
+    pub(crate) unknowns: usize,
+}
+
+/// Where a correction starts.
+pub(crate) struct Start<'a> {
+    pub(crate) t: f64,
+    pub(crate) scene: &'a [Row],
+    pub(crate) state: &'a [Row],
+    /// What the sums of increments have lost to rounding.
+    pub(crate) lost: &'a [Row],
+    /// How far the unknowns lie from their guesses.
+    pub(crate) shift: &'a [Row],
+    /// Corrections up to here are the last ones.
+    pub(crate) enough: &'a [Row],
+    /// 1 for lanes that nobody looks at, 0 for others.
+    pub(crate) idle: &'a Row,
+}
+
+/// What a correction leads to.
+pub(crate) struct Landing<'a> {
+    /// How far the unknowns lie from their guesses.
+    pub(crate) shift: &'a mut [Row],
+    /// The unknowns.
+    pub(crate) x: &'a mut [Row],
+    /// What was subtracted from them.
+    pub(crate) correction: &'a mut [Row],
+    /// The state after the step.
+    pub(crate) next: &'a mut [Row],
+    /// What the sums of increments have lost then.
+    pub(crate) lost: &'a mut [Row],
+    /// 1 where all is finite and not magnified from rounding, else 0.
+    pub(crate) sound: &'a mut Row,
+    /// 1 where that is so and the correction is enough, else 0.
+    pub(crate) within: &'a mut Row,
+}
+
+/// The trajectory of one lane by itself, in `f64`, with all that a [`Stepper`] can do.
+pub(crate) trait Alone {
+    fn step(&mut self) -> Result<(), StepError>;
+    fn state(&self) -> &[f64];
+    fn statistics(&self) -> Statistics;
+}
+
+impl<S: Solvable<f64>> Alone for Stepper<S> {
+    fn step(&mut self) -> Result<(), StepError> {
+        Stepper::step(self).map(drop)
+    }
+
+    fn state(&self) -> &[f64] {
+        self.state_array().as_ref()
+    }
+
+    fn statistics(&self) -> Statistics {
+        Stepper::statistics(self)
+    }
+}
+
+/// Where a lane leaves its group.
+pub(crate) struct Departure<'a> {
+    pub(crate) parameters: &'a [f64],
+    pub(crate) state: &'a [f64],
+    pub(crate) h: f64,
+    pub(crate) t0: f64,
+    /// Steps taken since t₀.
+    pub(crate) steps: u64,
+    pub(crate) settings: Settings<f64>,
+}
+
+/// A model, as groups see it.
+pub(crate) trait Kernel: Sync {
+    fn sizes(&self) -> Sizes;
+    /// The blocks of the unknowns.
+    fn blocks(&self) -> &'static [Unknown];
+    /// Corrections are in closed form; without, every trajectory goes alone.
+    fn has_correction(&self) -> bool;
+    /// Overwrites `out` with the scene of one trajectory.
+    fn scene(&self, parameters: &[f64], h: f64, out: &mut [f64]);
+    /// Corrects the unknowns of all lanes once; true if that is enough for all but the idle.
+    fn correct(&self, arch: Arch, start: Start, landing: Landing) -> bool;
+    /// One trajectory by itself.
+    fn alone(&self, departure: &Departure) -> Result<Box<dyn Alone>, InvalidRun>;
+}
+
+/// The [`Kernel`] of `S`.
+pub(crate) struct Emitted<S>(PhantomData<fn() -> S>);
+
+impl<S> Emitted<S> {
+    /// The only value.
+    pub(crate) const NEW: Self = Self(PhantomData);
+}
+
+/// What is left of `S` after elimination, on `T`.
+type Core<S, T> = <S as System<T>>::Core;
+
+impl<S: Wide + 'static> Kernel for Emitted<S> {
+    fn sizes(&self) -> Sizes {
+        let parameters = <<S as System<f64>>::Model as Model<f64>>::Parameters::default();
+        let state = <<S as System<f64>>::Model as Model<f64>>::start(&parameters);
+        let scene = Core::<S, f64>::scene(&parameters, 1.0);
+        Sizes {
+            scene: scene.to_array().as_ref().len(),
+            state: state.to_array().as_ref().len(),
+            parameters: parameters.to_array().as_ref().len(),
+            unknowns: Core::<S, f64>::zeros().0.as_ref().len(),
+        }
+    }
+
+    fn blocks(&self) -> &'static [Unknown] {
+        Core::<S, f64>::UNKNOWNS
+    }
+
+    fn has_correction(&self) -> bool {
+        Core::<S, f64>::HAS_CORRECTION
+    }
+
+    fn scene(&self, parameters: &[f64], h: f64, out: &mut [f64]) {
+        let parameters = self::parameters::<<S as System<f64>>::Model, f64>(parameters);
+        let scene = Core::<S, f64>::scene(&parameters, h).to_array();
+        out.copy_from_slice(scene.as_ref());
+    }
+
+    fn correct(&self, arch: Arch, start: Start, landing: Landing) -> bool {
+        let is_small = const {
+            let solvers = <<S as System<f64>>::Model as Model<f64>>::DESCRIPTION.solvers;
+            is_small(
+                Core::<S, f64>::UNKNOWNS,
+                solvers[<S as System<f64>>::SOLVER].counts,
+            )
+        };
+        if is_small {
+            arch.dispatch(Correct::<Core<S, Lanes<DOUBLE>>, DOUBLE> {
+                start,
+                landing,
+                system: PhantomData,
+            })
+        } else {
+            arch.dispatch(Correct::<Core<S, Lanes<SINGLE>>, SINGLE> {
+                start,
+                landing,
+                system: PhantomData,
+            })
+        }
+    }
+
+    fn alone(&self, departure: &Departure) -> Result<Box<dyn Alone>, InvalidRun> {
+        let parameters = self::parameters::<<S as System<f64>>::Model, f64>(departure.parameters);
+        let state = self::state::<<S as System<f64>>::Model, f64>(&parameters, departure.state);
+        let stepper = Stepper::<S>::new(parameters, state, departure.h)?
+            .at(departure.t0)?
+            .after(departure.steps);
+        Ok(Box::new(stepper.with_settings(departure.settings)))
+    }
+}
+
+/// [`correct`] with its arguments, for [`Arch::dispatch`].
+struct Correct<'a, C, const N: usize> {
+    start: Start<'a>,
+    landing: Landing<'a>,
+    system: PhantomData<C>,
+}
+
+impl<C: System<Lanes<N>>, const N: usize> NullaryFnOnce for Correct<'_, C, N> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn call(self) -> bool {
+        let (from, to) = (self.start, self.landing);
+        correct::<C, N>(
+            from.t,
+            from.scene,
+            from.state,
+            from.lost,
+            from.shift,
+            from.enough,
+            from.idle,
+            to.shift,
+            to.x,
+            to.correction,
+            to.next,
+            to.lost,
+            to.sound,
+            to.within,
+        )
+    }
+}
+
+/// x = guess + shift, c = J(x)⁻¹ r(x), x ← x − c, and the state after that.
+///
+/// All is passed one by one: only references that are arguments are known not to overlap, and only with that known is
+/// the loop taken several lanes at a time.
+#[inline(always)]
+#[expect(clippy::too_many_arguments, reason = "see above")]
+fn correct<C: System<Lanes<N>>, const N: usize>(
+    t: f64,
+    scene: &[Row],
+    state: &[Row],
+    losses: &[Row],
+    shifts: &[Row],
+    enough: &[Row],
+    idle: &Row,
+    shift: &mut [Row],
+    x: &mut [Row],
+    correction: &mut [Row],
+    next: &mut [Row],
+    lost: &mut [Row],
+    sound: &mut Row,
+    within: &mut Row,
+) -> bool {
+    // Only to say how many components there are.
+    let parameters = <C::Model as Model<Lanes<N>>>::Parameters::default();
+    let scenes = C::scene(&parameters, Lanes::constant(1.0)).to_array();
+    let states = C::Model::start(&parameters).to_array();
+    let (unknowns, _) = C::zeros();
+
+    let n = unknowns.as_ref().len();
+    let (shifts, enough) = (&shifts[..n], &enough[..n]);
+    let (shift, x, correction) = (&mut shift[..n], &mut x[..n], &mut correction[..n]);
+    let n = states.as_ref().len();
+    let (state, losses) = (&state[..n], &losses[..n]);
+    let (next, lost) = (&mut next[..n], &mut lost[..n]);
+    let scene = &scene[..scenes.as_ref().len()];
+    let mut open = 0;
+    for i in 0..WIDTH / N {
+        let scene = C::Scene::from_array(columns(scenes, scene, i));
+        let known = columns(states, state, i);
+        let step = C::step(&scene, Lanes::constant(t), &known);
+        let guess = C::guess(&scene, &step);
+        let mut at = guess;
+        for (at, shift) in at.as_mut().iter_mut().zip(shifts) {
+            *at = *at + lanes(shift, i);
+        }
+
+        let (c, growth) = C::correction(&scene, &step, &at);
+        let mut is_within = [true; N];
+        for j in 0..shifts.len() {
+            let (c, enough) = (c.as_ref()[j], lanes::<N>(&enough[j], i));
+            let corrected = at.as_ref()[j] - c;
+            at.as_mut()[j] = corrected;
+            set_lanes(&mut correction[j], i, c);
+            set_lanes(&mut x[j], i, corrected);
+            set_lanes(&mut shift[j], i, corrected - guess.as_ref()[j]);
+            for (k, is_within) in is_within.iter_mut().enumerate() {
+                *is_within &= c.0[k].abs() <= enough.0[k];
+            }
+        }
+
+        let eliminated = C::growth(&scene, &step, &at);
+        let mut after = known;
+        if C::HAS_CHANGE {
+            let change = C::change(&scene, &step, &at);
+            for j in 0..losses.len() {
+                let loss = lanes(&losses[j], i);
+                let (sum, loss) = compensated_sum(known.as_ref()[j], change.as_ref()[j] + loss);
+                after.as_mut()[j] = sum;
+                set_lanes(&mut lost[j], i, loss);
+            }
+        } else {
+            after = C::next(&scene, &step, &at);
+        }
+        let mut total = Lanes::constant(0.0);
+        for (next, after) in next.iter_mut().zip(after.as_ref()) {
+            set_lanes(next, i, *after);
+            total = total + *after;
+        }
+        let idle = lanes::<N>(idle, i);
+        for (k, is_within) in is_within.into_iter().enumerate() {
+            let at = i + k * (WIDTH / N);
+            // Any NaN or infinity is one in the sum.
+            let is_sound = (growth.0[k] <= MOST_GROWTH)
+                & (eliminated.0[k] <= MOST_GROWTH)
+                & (total.0[k].abs() < f64::INFINITY);
+            let is_enough = is_sound & is_within;
+            sound[at] = if is_sound { 1.0 } else { 0.0 };
+            within[at] = if is_enough { 1.0 } else { 0.0 };
+            open |= u64::from(!is_enough & (idle.0[k] == 0.0));
+        }
+    }
+    open == 0
+}
+
+/// a + b and what is rounded off it (Knuth, *The Art of Computer Programming* 2, 4.2.2, theorem B).
+#[inline(always)]
+fn compensated_sum<const N: usize>(a: Lanes<N>, b: Lanes<N>) -> (Lanes<N>, Lanes<N>) {
+    let sum = a + b;
+    let part = sum - a;
+    (sum, (a - (sum - part)) + (b - part))
+}
+
+/// Column `i` of `rows`, in an array like `shape`.
+#[inline(always)]
+fn columns<A: AsMut<[Lanes<N>]>, const N: usize>(mut shape: A, rows: &[Row], i: usize) -> A {
+    for (component, row) in shape.as_mut().iter_mut().zip(rows) {
+        *component = lanes(row, i);
+    }
+    shape
+}
