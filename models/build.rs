@@ -1,9 +1,9 @@
-//! Writes the catalogue: one module per file in `dsl/`, and the list of them.
+//! Writes the catalogue: one module per file in `dsl/`, and the lists of models and scenes.
 //!
-//! Mistakes in a model are left to the macro, whose carets point into the file. Only what rustc
+//! Mistakes in a model or a scene are left to the macro, whose carets point into the file. Only what rustc
 //! cannot read or must not see (not UTF-8, huge, very deep) is reported from here.
 
-use residua_codegen::source::{SourceError, read_source};
+use residua_codegen::source::{SourceError, read_scene, read_source};
 use std::fmt::Write as _;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -12,30 +12,52 @@ use std::{env, fs};
 #[path = "src/command/name.rs"]
 mod name;
 
+/// A kind of file.
+struct Kind {
+    ending: &'static str,
+    list: &'static str,
+    doc: &'static str,
+}
+
+static MODELS: Kind = Kind {
+    ending: "model",
+    list: "CATALOGUE",
+    doc: "Every model, by name.",
+};
+
+static SCENES: Kind = Kind {
+    ending: "scene",
+    list: "SCENES",
+    doc: "Every scene, by name.",
+};
+
 fn main() -> io::Result<()> {
     // A folder is scanned whole: new, removed and edited files run this script again.
     println!("cargo::rerun-if-changed=dsl");
     let mut modules = String::new();
-    let mut entries = String::new();
-    for path in model_files(Path::new("dsl"))? {
-        add(&path, &fs::read(&path)?, &mut modules, &mut entries);
+    let mut lists = String::new();
+    for kind in [&MODELS, &SCENES] {
+        let mut entries = String::new();
+        for path in files(Path::new("dsl"), kind.ending)? {
+            add(kind, &path, &fs::read(&path)?, &mut modules, &mut entries);
+        }
+        let Kind { list, doc, .. } = kind;
+        let _ = writeln!(
+            lists,
+            "\n/// {doc}\npub static {list}: &[crate::Entry] = &[\n{entries}];"
+        );
     }
-    let catalogue = format!(
-        "{modules}\n/// Every model, by name.\npub static CATALOGUE: &[crate::Entry] = &[\n{entries}];\n"
-    );
+    let catalogue = modules + &lists;
     let out = PathBuf::from(env::var_os("OUT_DIR").unwrap_or_default()).join("catalogue.rs");
     fs::write(out, catalogue)
 }
 
-/// The `.model` files of a folder, sorted.
-fn model_files(folder: &Path) -> io::Result<Vec<PathBuf>> {
+/// The files of a folder with this ending, sorted.
+fn files(folder: &Path, ending: &str) -> io::Result<Vec<PathBuf>> {
     let mut files = Vec::new();
     for entry in fs::read_dir(folder)? {
         let path = entry?.path();
-        let is_model = path
-            .extension()
-            .is_some_and(|extension| extension == "model");
-        if is_model && path.is_file() {
+        if path.extension().is_some_and(|e| e == ending) && path.is_file() {
             files.push(path);
         }
     }
@@ -44,18 +66,32 @@ fn model_files(folder: &Path) -> io::Result<Vec<PathBuf>> {
 }
 
 /// Adds the module of one file, and its entry where it has a model.
-fn add(path: &Path, bytes: &[u8], modules: &mut String, entries: &mut String) {
+fn add(kind: &Kind, path: &Path, bytes: &[u8], modules: &mut String, entries: &mut String) {
+    let ending = kind.ending;
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-    let shown = format!("models/dsl/{stem}.model");
+    let shown = format!("models/dsl/{stem}.{ending}");
     if let Err(message) = name::check(&stem) {
         refuse(&format!("{shown}: {message}"), modules);
         return;
     }
-    let file = format!("concat!(env!(\"CARGO_MANIFEST_DIR\"), \"/dsl/{stem}.model\")");
+    if ending == "scene" && path.with_extension("model").exists() {
+        refuse(
+            &format!(
+                "{shown}: there is a model `{stem}` too, and both would be the module `{stem}`"
+            ),
+            modules,
+        );
+        return;
+    }
+    let file = format!("concat!(env!(\"CARGO_MANIFEST_DIR\"), \"/dsl/{stem}.{ending}\")");
     let include = format!(
-        "#[doc = \"The model of `{stem}.model`.\"]\npub mod {stem} {{\n    use ::residua::model;\n    include!({file});\n}}\n"
+        "#[doc = \"The {ending} of `{stem}.{ending}`.\"]\npub mod {stem} {{\n    use ::residua::{ending};\n    include!({file});\n}}\n"
     );
-    match read_source(bytes) {
+    let read = match ending {
+        "scene" => read_scene(bytes),
+        _ => read_source(bytes),
+    };
+    match read {
         Ok(_) => {
             modules.push_str(&include);
             let entry = format!(

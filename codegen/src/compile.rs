@@ -1,4 +1,6 @@
-//! The driver: the one file that names more than one stage.
+//! The driver: the one module that names more than one stage.
+
+mod scene;
 
 use crate::ast::ClaimKind;
 use crate::ast::Form;
@@ -12,7 +14,9 @@ use crate::claims::continuous_claims;
 use crate::claims::discrete_claims;
 use crate::clear::clear;
 use crate::correct::correct;
+use crate::dag::Dag;
 use crate::dag::Leaf;
+use crate::dag::NodeId;
 use crate::diagnostic::Diagnostic;
 use crate::diagnostic::Errors;
 use crate::diagnostic::Range;
@@ -38,12 +42,21 @@ use crate::sample::Typical;
 use crate::source::lex;
 use crate::stage::program;
 use crate::structure::structure;
+use crate::system::Block;
 use crate::system::Core;
+use crate::system::Discrete;
 use crate::system::Entry;
 use crate::system::Equations;
 use crate::system::System;
 use proc_macro2::Span;
 use proc_macro2::TokenStream;
+
+pub use scene::ReadModel;
+pub use scene::Scene;
+pub use scene::analyse_scene;
+pub use scene::compile_scene;
+pub use scene::expand_scene;
+pub use scene::model_of_scene;
 
 /// The Rust items of a model, from the tokens inside `model! { … }`; `name` is the stem of its file.
 /// A model with mistakes becomes compiler errors and items that keep callers quiet.
@@ -79,7 +92,7 @@ fn quiet(name: &str, tokens: TokenStream) -> TokenStream {
 pub fn compile(name: &str, tokens: TokenStream) -> Result<TokenStream, Errors> {
     let analysis = analyse(name, tokens)?;
     let program = program(&analysis.equations, &analysis.systems);
-    Ok(emit(&analysis.model, &program, &analysis.findings))
+    Ok(emit(&analysis.model, &program, &analysis.findings, None))
 }
 
 /// Everything the generator knows about a model before it emits code.
@@ -247,13 +260,28 @@ fn discrete(
         }
     }
     let judged = discrete_claims(model, &mut lowered, &jacobian, &derivatives)?;
-    let crate::system::Discrete {
+    let system = System {
+        printed: judged.printed,
+        ..system(lowered, jacobian, blocks, typical)
+    };
+    Ok((system, judged.findings))
+}
+
+/// A solver with all that makes it short: what is left to iterate on, its correction, what it adds to the state.
+fn system(
+    discrete: Discrete,
+    jacobian: Vec<Entry>,
+    blocks: Vec<Block>,
+    typical: &Typical,
+) -> System {
+    let Discrete {
+        form,
         mut dag,
         residual,
         guess,
         next,
         ..
-    } = lowered;
+    } = discrete;
     let full = Full {
         residual: &residual,
         jacobian: &jacobian,
@@ -262,46 +290,55 @@ fn discrete(
         blocks: &blocks,
         typical,
     };
-    let adds = form == Form::Increment;
-    let core = eliminate(&mut dag, &full).map(|mut reduced| {
-        // The product is less linear than the quotient: only of one equation is a division much of the work.
-        if reduced.residual.len() == 1 {
-            reduced.residual = clear(&mut dag, &reduced.residual);
-        }
-        let entries = differentiate(&mut dag, &reduced.residual, n).into_iter();
-        let own = entries.filter_map(|entry| {
-            let col = reduced.unknowns.iter().position(|&col| col == entry.col)?;
-            Some(Entry { col, ..entry })
-        });
-        let jacobian = own.collect();
-        let change = change(&mut dag, &reduced.next).filter(|_| adds);
-        Core {
-            reduced,
-            jacobian,
-            change,
-        }
-    });
-    let core = core.filter(|core| core.pays(&dag, &residual, &jacobian, &next));
-    let change = change(&mut dag, &next).filter(|_| adds);
+    let core = core(&mut dag, &full, form);
+    let change = added(&mut dag, &next, form);
     let correction = match &core {
         Some(core) => correct(&mut dag, &core.reduced.residual, &core.jacobian, typical),
         None => correct(&mut dag, &residual, &jacobian, typical),
     };
     debug_assert_eq!(dag.verify(), Ok(()));
-    Ok((
-        System {
-            form,
-            dag,
-            residual,
-            jacobian,
-            guess,
-            next,
-            change,
-            blocks,
-            core,
-            correction,
-            printed: judged.printed,
-        },
-        judged.findings,
-    ))
+    System {
+        form,
+        dag,
+        residual,
+        jacobian,
+        guess,
+        next,
+        change,
+        blocks,
+        core,
+        correction,
+        printed: Vec::new(),
+    }
+}
+
+/// What is left of a solver after elimination, and its Jacobian.
+fn core(dag: &mut Dag, full: &Full, form: Form) -> Option<Core> {
+    let mut reduced = eliminate(dag, full)?;
+    // The product is less linear than the quotient: only of one equation is a division much of the work.
+    if reduced.residual.len() == 1 {
+        reduced.residual = clear(dag, &reduced.residual);
+    }
+    let entries = differentiate(dag, &reduced.residual, full.residual.len()).into_iter();
+    let own = entries.filter_map(|entry| {
+        let col = reduced.unknowns.iter().position(|&col| col == entry.col)?;
+        Some(Entry { col, ..entry })
+    });
+    let jacobian = own.collect();
+    let change = added(dag, &reduced.next, form);
+    let core = Core {
+        reduced,
+        jacobian,
+        change,
+    };
+    core.pays(dag, full.residual, full.jacobian, full.next)
+        .then_some(core)
+}
+
+/// What a step adds to the state, where the unknowns are increments.
+fn added(dag: &mut Dag, next: &[NodeId], form: Form) -> Option<Vec<NodeId>> {
+    match form {
+        Form::Increment => change(dag, next),
+        Form::Next => None,
+    }
 }

@@ -92,6 +92,20 @@ impl Errors {
         self.list.push(diagnostic);
     }
 
+    /// The same mistakes, all of them at `range`: for a text that is not the one to point into.
+    pub fn at(mut self, range: Range) -> Self {
+        self.list.iter_mut().for_each(|d| d.range = range);
+        self
+    }
+
+    /// The same mistakes with `old` called `new`.
+    pub fn reworded(mut self, old: &str, new: &str) -> Self {
+        for diagnostic in &mut self.list {
+            diagnostic.message = diagnostic.message.replace(old, new);
+        }
+        self
+    }
+
     /// Nothing found so far.
     pub fn is_empty(&self) -> bool {
         self.list.is_empty()

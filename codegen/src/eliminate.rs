@@ -98,6 +98,7 @@ pub fn eliminate(dag: &mut Dag, full: &Full) -> Option<Reduced> {
     let residual = put_in(dag, &residual, &values);
     let next = put_in(dag, full.next, &values);
     Some(Reduced {
+        solved: (0..n).filter(|&row| solved_rows[row]).collect(),
         residual,
         guess: unknowns.iter().map(|&col| full.guess[col]).collect(),
         next,

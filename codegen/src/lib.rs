@@ -7,6 +7,7 @@
 //! | [`parse`] | tokens | [`ast::Ast`] | the text is a list of statements |
 //! | [`check`] | `Ast` | [`model::Model`] | names, shapes and units are right, `let`s are gone |
 //! | [`lower`] | `Model` | [`system::Equations`] and residuals | scalars only, no time levels |
+//! | [`specialise`] | `Equations`, residuals | the same | nothing in it that a scene does not need |
 //! | [`differentiate`] | residuals | Jacobian entries | exact, structural non-zeros only |
 //! | [`structure`] | residuals, entries | [`system::System`] | solvable, in block order |
 //! | [`eliminate`] | `System` | [`system::Reduced`] | what is iterated on is as small as it can be |
@@ -42,8 +43,10 @@ pub mod parse;
 pub mod pattern;
 pub mod rank;
 pub mod sample;
+pub mod scene;
 pub mod schedule;
 pub mod source;
+pub mod specialise;
 pub mod stage;
 pub mod structure;
 pub mod system;
@@ -51,7 +54,12 @@ pub mod unit;
 
 pub use compile::Analysis;
 pub use compile::Quantity;
+pub use compile::Scene;
 pub use compile::analyse;
+pub use compile::analyse_scene;
 pub use compile::compile;
+pub use compile::compile_scene;
 pub use compile::evaluate;
 pub use compile::expand;
+pub use compile::expand_scene;
+pub use compile::model_of_scene;

@@ -284,6 +284,8 @@ pub struct Model {
     pub unknowns: Vec<Unknown>,
     /// The blocks of the unknown vector, in file order of their declarations.
     pub solved: Vec<Solved>,
+    /// Components of these that are no unknowns after all: a scene has found them to be 0, or does without.
+    pub absent: Vec<(Solved, usize)>,
     /// Typed expressions, operands before users.
     pub exprs: Vec<Expr>,
     /// The discrete equations, as many components as unknowns.
@@ -311,10 +313,16 @@ impl Model {
 
     /// Number of scalar unknowns.
     pub fn n_unknowns(&self) -> usize {
-        self.solved
-            .iter()
-            .map(|&s| self.solved_variable(s).shape.len())
-            .sum()
+        self.unknown_components().count()
+    }
+
+    /// The scalar unknowns in their order: components of the blocks.
+    pub fn unknown_components(&self) -> impl Iterator<Item = (Solved, usize)> + '_ {
+        let all = self.solved.iter().flat_map(|&solved| {
+            let len = self.solved_variable(solved).shape.len();
+            (0..len).map(move |component| (solved, component))
+        });
+        all.filter(|component| !self.absent.contains(component))
     }
 
     /// The variable a block of unknowns belongs to.

@@ -111,6 +111,8 @@ pub struct Solver {
     pub schedule: Schedule,
     /// The unknowns, by their positions in the unknown vector of the form: all, or those of a core.
     pub unknowns: Vec<usize>,
+    /// The equations that are solved for the other unknowns of the form: none, or those of a core.
+    pub solved: Vec<usize>,
     /// What is left after elimination, with a kernel `growth` besides.
     pub core: Option<Box<Solver>>,
 }

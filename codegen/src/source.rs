@@ -1,4 +1,4 @@
-//! From the bytes of a model file to the tokens inside its `model! { … }`.
+//! From the bytes of a model file to the tokens inside its `model! { … }`, and likewise of a scene file.
 //!
 //! For programs that read whole files: build scripts and the command. In a build the file is included
 //! and rustc reads it; what this stage refuses beforehand is what rustc would choke on (bytes that are
@@ -45,6 +45,18 @@ impl std::error::Error for SourceError {}
 /// # Errors
 /// The first reason why there is none.
 pub fn read_source(bytes: &[u8]) -> Result<TokenStream, SourceError> {
+    read(bytes, "model")
+}
+
+/// The tokens between the braces of the one `scene! { … }` in a file.
+///
+/// # Errors
+/// The first reason why there is none.
+pub fn read_scene(bytes: &[u8]) -> Result<TokenStream, SourceError> {
+    read(bytes, "scene")
+}
+
+fn read(bytes: &[u8], keyword: &str) -> Result<TokenStream, SourceError> {
     if bytes.len() > LARGEST {
         let message = format!(
             "the file has {} bytes, expected at most {LARGEST}",
@@ -53,7 +65,7 @@ pub fn read_source(bytes: &[u8]) -> Result<TokenStream, SourceError> {
         return Err(at(1, 1, message));
     }
     let text = std::str::from_utf8(bytes).map_err(|error| not_utf8(bytes, error.valid_up_to()))?;
-    invocation(lex(text)?)
+    invocation(lex(text)?, keyword)
 }
 
 /// The tokens of `text`, once its brackets are known to match and not to nest too deeply.
@@ -231,21 +243,22 @@ impl Skip {
     }
 }
 
-/// The tokens inside `model! { … }` or `residua::model! { … }`, which must be all there is.
-fn invocation(tokens: TokenStream) -> Result<TokenStream, SourceError> {
+/// The tokens inside `model! { … }` or `residua::model! { … }`, which must be all there is; likewise of another
+/// keyword.
+fn invocation(tokens: TokenStream, keyword: &str) -> Result<TokenStream, SourceError> {
     let trees: Vec<TokenTree> = tokens.into_iter().collect();
     let is_punct = |tree: &TokenTree, c| matches!(tree, TokenTree::Punct(p) if p.as_char() == c);
     let position = trees.windows(2).position(|pair| {
-        matches!(&pair[0], TokenTree::Ident(name) if *name == "model") && is_punct(&pair[1], '!')
+        matches!(&pair[0], TokenTree::Ident(name) if *name == keyword) && is_punct(&pair[1], '!')
     });
     let Some(start) = position else {
-        return Err(at(1, 1, "expected `model! { … }`".to_owned()));
+        return Err(at(1, 1, format!("expected `{keyword}! {{ … }}`")));
     };
     let is_path = |tree: &TokenTree| {
         is_punct(tree, ':') || matches!(tree, TokenTree::Ident(name) if *name == "residua")
     };
     if let Some(stray) = trees[..start].iter().find(|tree| !is_path(tree)) {
-        return Err(stray_token(stray));
+        return Err(stray_token(stray, keyword));
     }
     let body = match trees.get(start + 2) {
         Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Brace => group.stream(),
@@ -254,19 +267,19 @@ fn invocation(tokens: TokenStream) -> Result<TokenStream, SourceError> {
             return Err(at(
                 place.line,
                 place.column + 1,
-                "expected `model! { … }`".to_owned(),
+                format!("expected `{keyword}! {{ … }}`"),
             ));
         }
     };
     match trees[start + 3..].iter().find(|tree| !is_punct(tree, ';')) {
-        Some(stray) => Err(stray_token(stray)),
+        Some(stray) => Err(stray_token(stray, keyword)),
         None => Ok(body),
     }
 }
 
-fn stray_token(tree: &TokenTree) -> SourceError {
+fn stray_token(tree: &TokenTree, keyword: &str) -> SourceError {
     let place = tree.span().start();
-    let message = "expected nothing but one `model! { … }` in the file".to_owned();
+    let message = format!("expected nothing but one `{keyword}! {{ … }}` in the file");
     at(place.line, place.column + 1, message)
 }
 

@@ -82,6 +82,7 @@ fn solver(system: &System) -> Solver {
             pattern: jacobian.iter().map(|e| (e.row, e.col)).collect(),
             schedule: stage(&system.dag, &kernels),
             unknowns: reduced.unknowns.clone(),
+            solved: reduced.solved.clone(),
             core: None,
         })
     });
@@ -99,6 +100,7 @@ fn solver(system: &System) -> Solver {
         pattern: system.jacobian.iter().map(|e| (e.row, e.col)).collect(),
         schedule: stage(&system.dag, &kernels),
         unknowns: (0..system.residual.len()).collect(),
+        solved: Vec::new(),
         core,
     }
 }

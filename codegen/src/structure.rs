@@ -125,32 +125,27 @@ fn block(unknowns: &[u128], entries: &[Entry], rows: Vec<usize>, cols: Vec<usize
 /// Says which unknowns are left over, and whether they occur at all.
 fn undetermined(model: &Model, entries: &[Entry], matching: &[Option<usize>]) -> Errors {
     let mut errors = Errors::default();
-    let mut offset = 0;
-    for &solved in &model.solved {
+    for (col, (solved, component)) in model.unknown_components().enumerate() {
+        if matching[col].is_some() {
+            continue;
+        }
         let variable = model.solved_variable(solved);
         let name = &variable.name;
-        for component in 0..variable.shape.len() {
-            let col = offset + component;
-            if matching[col].is_some() {
-                continue;
-            }
-            let unknown = format!("{}{}", name.display, variable.component_suffix(component));
-            if entries.iter().any(|e| e.col == col) {
-                errors.push_with_help(
-                    name.range,
-                    format!(
-                        "the equations are structurally singular: they do not determine `{unknown}`"
-                    ),
-                    "some equations share too few unknowns; check that each says something new",
-                );
-            } else {
-                errors.push(
-                    name.range,
-                    format!("no equation contains the unknown `{unknown}`"),
-                );
-            }
+        let unknown = format!("{}{}", name.display, variable.component_suffix(component));
+        if entries.iter().any(|e| e.col == col) {
+            errors.push_with_help(
+                name.range,
+                format!(
+                    "the equations are structurally singular: they do not determine `{unknown}`"
+                ),
+                "some equations share too few unknowns; check that each says something new",
+            );
+        } else {
+            errors.push(
+                name.range,
+                format!("no equation contains the unknown `{unknown}`"),
+            );
         }
-        offset += variable.shape.len();
     }
     errors
 }

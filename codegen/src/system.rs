@@ -126,6 +126,8 @@ pub struct Core {
 pub struct Reduced {
     /// The unknowns that are left, ascending.
     pub unknowns: Vec<usize>,
+    /// The equations that are solved for the others, ascending.
+    pub solved: Vec<usize>,
     /// As many equations.
     pub residual: Vec<NodeId>,
     /// First guess of each unknown that is left.

@@ -5,6 +5,8 @@
 
 use proc_macro2::TokenStream;
 use residua_codegen::expand;
+use residua_codegen::expand_scene;
+use residua_codegen::source::read_scene;
 use residua_codegen::source::read_source;
 use std::fs;
 use std::path::Path;
@@ -16,6 +18,14 @@ fn golden() -> PathBuf {
 
 fn expanded(name: &str) -> TokenStream {
     let path = golden().join(name).with_extension("model");
+    if !path.exists() {
+        let bytes = fs::read(path.with_extension("scene")).expect("a file beside its golden one");
+        let text = |model: &str| {
+            let path = golden().join(model).with_extension("model");
+            fs::read_to_string(path).map_err(|error| error.to_string())
+        };
+        return expand_scene(name, read_scene(&bytes).expect("a scene"), &text);
+    }
     let bytes = fs::read(path).expect("a model beside its golden file");
     expand(name, read_source(&bytes).expect("a model"))
 }
@@ -48,8 +58,13 @@ fn awkward_names_become_legal_and_distinct() {
 }
 
 #[test]
+fn a_scene_is_a_model_with_less_in_it() {
+    assert_golden("swing");
+}
+
+#[test]
 fn expanding_twice_gives_the_same_bytes() {
-    for name in ["planar", "names"] {
+    for name in ["planar", "names", "swing"] {
         let [first, second] = [0, 1].map(|_| expanded(name).to_string());
         assert_eq!(first, second, "{name}");
     }

@@ -3,6 +3,7 @@
 use proc_macro2::TokenStream;
 use proc_macro2::TokenTree;
 use residua_codegen::analyse;
+use residua_codegen::analyse_scene;
 use residua_codegen::ast::KEYWORDS;
 use residua_codegen::source::lex;
 
@@ -64,6 +65,61 @@ const WORDS: &[&str] = &[
     "!",
     "'a",
     "_",
+];
+
+/// A scene of it with every statement.
+const SCENE: &str = "model complete;
+    fix m = 2; fix J = diag(1, 1, 1); fix ρ = [0, 0, 0.3]; fix g = 9.81;
+    let R0 = Rx(pi/3)*Ry(0.1);
+    start { R = R0; ω = [0.5, 0, 0]; x = 0; }
+    step 0.1; until 100; form next; keep ω, tilt;";
+
+/// Words of scenes.
+const SCENE_WORDS: &[&str] = &[
+    "model",
+    "complete",
+    "fix",
+    "let",
+    "start",
+    "step",
+    "until",
+    "keep",
+    "form",
+    "next",
+    "increment",
+    "m",
+    "J",
+    "ρ",
+    "g",
+    "c",
+    "R",
+    "ω",
+    "x",
+    "v",
+    "F",
+    "e3",
+    "tilt",
+    "energy",
+    "R0",
+    "h",
+    "t",
+    "I",
+    "pi",
+    "diag",
+    "0",
+    "1",
+    "-1",
+    "1e400",
+    "=",
+    ";",
+    ",",
+    ".",
+    "*",
+    "/",
+    "[",
+    "]",
+    "é",
+    "\"a\"",
 ];
 
 const SEED: u64 = 0x2545_f491_4f6c_dd1d;
@@ -166,4 +222,49 @@ fn mutated_models_are_survived() {
     }
     // Some mutations, such as 1 for 2, leave a model; if none did, the test would test little.
     assert!(models > 10, "{models}");
+}
+
+/// Runs the generator on a scene; true if it found one.
+fn scene_survives(text: &str) -> bool {
+    let Ok(tokens) = lex(text) else {
+        return false;
+    };
+    let model = |_: &str| Ok(format!("model! {{ {GOOD} }}"));
+    match analyse_scene("fuzz", tokens, &model) {
+        Ok(_) => true,
+        Err(errors) => {
+            assert!(!errors.to_string().is_empty());
+            false
+        }
+    }
+}
+
+#[test]
+fn mutated_scenes_are_survived() {
+    let tokens = lex(SCENE).expect("lexes");
+    let model = |_: &str| Ok(format!("model! {{ {GOOD} }}"));
+    let mistakes = analyse_scene("complete", tokens.clone(), &model);
+    assert_eq!(
+        mistakes.map_or_else(|e| e.to_string(), |_| String::new()),
+        ""
+    );
+    let mut good = Vec::new();
+    words(tokens, &mut good);
+    let mut random = Random(SEED);
+    let mut scenes = 0;
+    for round in 0..400 {
+        let mut words = good.clone();
+        for _ in 0..=round % 2 {
+            let (i, j) = (random.below(words.len()), random.below(words.len()));
+            match random.below(5) {
+                0 => drop(words.remove(i)),
+                1 => words.insert(i, words[j].clone()),
+                2 => words.swap(i, j),
+                3 => words[i] = words[j].clone(),
+                _ => words[i] = SCENE_WORDS[random.below(SCENE_WORDS.len())].to_owned(),
+            }
+        }
+        scenes += usize::from(scene_survives(&words.join(" ")));
+    }
+    assert!(scenes > 10, "{scenes}");
 }

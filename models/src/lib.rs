@@ -1,7 +1,7 @@
-//! The catalogue: every model file in `models/dsl/`, compiled.
+//! The catalogue: every model file and every scene file in `models/dsl/`, compiled.
 //!
 //! The build script lists the folder, so a new file appears here, in the command and in the generic
-//! tests by itself. Each file is a module of the same name; [`CATALOGUE`] holds them all.
+//! tests by itself. Each file is a module of the same name; [`CATALOGUE`] holds the models and [`SCENES`] the scenes.
 //!
 //! ```
 //! let pendulum = residua_models::find("planar_reduced").unwrap();
@@ -29,13 +29,14 @@ use ::residua::Catalogued;
 use ::std::fmt;
 
 pub use dsl::CATALOGUE;
+pub use dsl::SCENES;
 
 /// The models, each a module of the name of its file.
 pub mod dsl {
     include!(concat!(env!("OUT_DIR"), "/catalogue.rs"));
 }
 
-/// A model file and what became of it.
+/// A model file or a scene file and what became of it.
 #[derive(Clone, Copy)]
 pub struct Entry {
     /// The compiled model.
@@ -51,16 +52,17 @@ impl Entry {
     }
 }
 
-/// The model called `name`.
+/// The model or scene called `name`.
 pub fn find(name: &str) -> Result<&'static Entry, UnknownModel> {
-    let known = CATALOGUE.iter().find(|entry| entry.name() == name);
+    let mut all = CATALOGUE.iter().chain(SCENES);
+    let known = all.clone().find(|entry| entry.name() == name);
     known.ok_or_else(|| UnknownModel {
         name: name.to_owned(),
-        nearest: nearest(name, CATALOGUE.iter().map(Entry::name)),
+        nearest: nearest(name, all.by_ref().map(Entry::name)),
     })
 }
 
-/// There is no such model.
+/// There is no such model or scene.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnknownModel {
     /// What was asked for.

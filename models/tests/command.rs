@@ -1,8 +1,8 @@
-//! `residua list`, `check`, `expand` and `new`, as users run them.
+//! `residua list`, `check`, `explain`, `expand` and `new`, as users run them.
 
 mod support;
 
-use residua_models::CATALOGUE;
+use residua_models::{CATALOGUE, SCENES};
 use serde_json::{Value, json};
 use std::fs;
 use std::io::Read;
@@ -21,16 +21,19 @@ fn assert_shown(line: &str, parts: &[&str]) {
 }
 
 #[test]
-fn list_names_every_model() {
-    let names: Vec<&str> = CATALOGUE.iter().map(|entry| entry.name()).collect();
+fn list_names_every_model_and_scene() {
+    let all = CATALOGUE.iter().chain(SCENES);
+    let names: Vec<&str> = all.map(|entry| entry.name()).collect();
     assert_shown("list", &names);
-    assert_eq!(succeed("list").stdout.lines().count(), names.len() + 1);
+    // Two headings and a line between.
+    assert_eq!(succeed("list").stdout.lines().count(), names.len() + 3);
 }
 
 #[test]
 fn list_prints_json() {
     let models = parsed("list --json");
-    assert_eq!(models.as_array().unwrap().len(), CATALOGUE.len());
+    let n = CATALOGUE.len() + SCENES.len();
+    assert_eq!(models.as_array().unwrap().len(), n);
     let one = parsed("list planar_reduced --json");
     assert_eq!(one["states"][1]["name"], "Γ");
     assert_eq!(one["states"][1]["value"], json!([0.0, 1.0]));
@@ -67,6 +70,69 @@ fn a_reader_that_leaves_is_no_error() {
         assert_eq!(child.wait().unwrap().code(), Some(0), "{stderr}");
         assert_eq!(stderr, "");
     }
+}
+
+#[test]
+fn explain_says_what_a_scene_leaves_out() {
+    let parts = [
+        "a scene of spatial_group, step 0.1, until 100",
+        "keeps ω, Γ3, energy",
+        "states                     12",
+        "equations and unknowns     12",
+        "Γ1                                               line 18  no kept quantity depends on it",
+        "stays 0",
+        "folded in",
+        "enter linearly",
+    ];
+    assert_shown("explain paper_spatial", &parts);
+    let receipt = parsed("explain paper_spatial --json");
+    let columns = &receipt["forms"][0]["columns"];
+    assert_eq!(columns[0]["unknowns"], 12);
+    assert_eq!(columns[1]["unknowns"], 5);
+    let operations = |column: usize, rate: usize| {
+        let operations = &columns[column]["operations"][rate];
+        let count = |kind: &str| operations[kind].as_u64().unwrap();
+        count("additions") + count("multiplications") + count("divisions") + count("calls")
+    };
+    for rate in 0..5 {
+        assert!(2 * operations(1, rate) < operations(0, rate), "{receipt}");
+    }
+    let skipped = receipt["skipped"].as_array().unwrap();
+    let kinds: Vec<&str> = skipped
+        .iter()
+        .map(|s| s["kind"].as_str().unwrap())
+        .collect();
+    for kind in ["parameter", "component", "state", "equation", "output"] {
+        assert!(kinds.contains(&kind), "{kind}");
+    }
+}
+
+#[test]
+fn explain_compares_a_model_with_its_core() {
+    let receipt = parsed("explain spatial_group --json");
+    let columns = &receipt["forms"][0]["columns"];
+    assert_eq!(
+        (&columns[0]["iterated"], &columns[1]["iterated"]),
+        (&json!(12), &json!(3))
+    );
+    assert_eq!(
+        receipt["forms"][0]["eliminated"]["lines"],
+        json!([49, 50, 51])
+    );
+    assert_shown("explain planar_angle", &["form next", "form increment"]);
+    assert_refused(&residua("explain paper_spatail"), 2, &["paper_spatial"]);
+}
+
+#[test]
+fn a_scene_is_shown_checked_and_expanded_like_a_model() {
+    assert_shown("show paper_spatial", &["iterated on", "row 1 of T1*Δω"]);
+    assert_shown("check paper_recursive", &["Jacobian     ok"]);
+    assert_shown("expand paper_recursive", &["pub R_3_1: T"]);
+    let folder = folder("scene");
+    let text = "scene! {\n    model none;\n    step 1;\n    until 0;\n}\n";
+    fs::write(folder.join("wrong.scene"), text).unwrap();
+    let outcome = residua_in(&folder, "check wrong.scene");
+    assert_refused(&outcome, 2, &["wrong.scene:2:11", "no model `none`"]);
 }
 
 #[test]
@@ -117,6 +183,8 @@ fn errata_refuses_what_cannot_be() {
         &["planar_angel", "planar_angle"],
     );
     assert_refused(&residua("errata --step 0"), 2, &["step"]);
+    let outcome = residua("errata paper_spatial");
+    assert_refused(&outcome, 2, &["is a scene", "spatial_group"]);
 }
 
 #[test]

@@ -55,6 +55,32 @@ fn values_are_expressions_in_either_spelling() {
 }
 
 #[test]
+fn all_unknowns_give_the_same_run_as_the_core() {
+    let run = |options: &str| {
+        let line = "simulate spatial_group --until 5 --every 500 --strategy";
+        rows(&succeed(&format!("{line} {options}")).stdout)
+    };
+    let (core, full) = (run("core"), run("full"));
+    for (a, b) in core[1].iter().zip(&full[1]) {
+        // Rounding, grown over 5 s of a regular motion; the states are up to 7.
+        assert!((a - b).abs() < 1e-11, "{a} {b}");
+    }
+}
+
+#[test]
+fn uncompensated_sums_drift_further() {
+    let line = "simulate planar_reduced --form increment --until 1000 --every 100000";
+    let drift = |options: &str| {
+        let rows = rows(&succeed(&format!("{line} {options}")).stdout);
+        let energy = rows[0].len() - 2;
+        (rows[1][energy] - rows[0][energy]).abs()
+    };
+    // Rounding of the energy, −11.5 J, and what a hundred thousand roundings of the state leave.
+    let (kept, lost) = (drift(""), drift("--uncompensated"));
+    assert!(kept <= 4e-15 && lost > 8e-15, "{kept:e} {lost:e}");
+}
+
+#[test]
 fn start_expressions_know_the_parameters() {
     let csv = succeed("simulate planar_reduced --set l=2.4525 --start ω=sqrt(g/l)").stdout;
     assert_eq!(rows(&csv)[0][1], 2.0);
@@ -177,4 +203,43 @@ fn rows_and_picture_need_two_files() {
     let line = "simulate elastic --until 0.1 --out one --plot one";
     let outcome = residua_in(&folder("one_file"), line);
     assert_refused(&outcome, 2, &["--out and --plot name the same file"]);
+}
+
+#[test]
+fn a_scene_has_its_own_step_end_and_columns() {
+    let outcome = succeed("simulate paper_spatial");
+    let header = outcome.stdout.lines().next();
+    assert_eq!(header, Some("t,ω.x,ω.y,ω.z,Γ3.x,Γ3.y,Γ3.z,energy"));
+    let found = rows(&outcome.stdout);
+    assert_eq!(found.len(), 1001);
+    assert!((found[1][0] - 0.1).abs() < 1e-15);
+    let run = "simulate spatial_group --step 0.1 --until 1";
+    let expected = rows(&succeed(run).stdout);
+    for (found, expected) in found.iter().zip(&expected) {
+        // t and ω come first, then Γ1 and Γ2, which the scene has not.
+        for (a, b) in found[..4].iter().zip(&expected[..4]) {
+            assert!((a - b).abs() < 1e-11, "{a} {b}");
+        }
+    }
+    let csv = succeed("simulate paper_spatial --step 0.5 --until 1").stdout;
+    assert_eq!(rows(&csv).len(), 3);
+    // R(3,1) and its kin are in the state and nobody asked for them.
+    let header = succeed("simulate paper_recursive --until 1").stdout;
+    let header = header.lines().next();
+    assert_eq!(
+        header,
+        Some("t,ω.x,ω.y,ω.z,vertical.x,vertical.y,vertical.z,energy")
+    );
+    let start = "simulate paper_recursive --until 1 --start R(3,1)=0.5";
+    assert_eq!(rows(&succeed(start).stdout)[0][4], 0.5);
+}
+
+#[test]
+fn a_scene_refuses_what_it_has_left_out() {
+    let outcome = residua("simulate paper_spatial --set m=3");
+    assert_refused(&outcome, 2, &["does without `m`", "fixed as `10`"]);
+    let outcome = residua("simulate paper_spatial --start Γ1=[1,0,0]");
+    assert_refused(&outcome, 2, &["does without `Γ1`", "no kept quantity"]);
+    let outcome = residua("simulate paper_spatial --start ω.z=1 --quiet");
+    assert_refused(&outcome, 1, &["start value ω.z is 1", "relies on 0"]);
 }

@@ -21,6 +21,60 @@ pub struct Description {
     pub claims: &'static [Claim],
     /// It has continuous equations.
     pub has_flow: bool,
+    /// Operation counts of what belongs to no solver: outputs, flow.
+    pub counts: &'static [(&'static str, Count)],
+    /// The scene that it was made for, if it was made for one.
+    pub scene: Option<&'static Scene>,
+}
+
+/// A model made for one run.
+#[derive(Debug)]
+pub struct Scene {
+    /// The model that it is a scene of.
+    pub model: &'static str,
+    /// The time step.
+    pub step: f64,
+    /// The end time.
+    pub until: f64,
+    /// Names of the states and outputs that were asked for; the other states are there because these need them.
+    pub keep: &'static [&'static str],
+    /// Parameters that are folded in.
+    pub fixed: &'static [Fixed],
+    /// Components of the state that are taken for 0 throughout.
+    pub zeros: &'static [Zero],
+    /// What of the model is not computed.
+    pub skipped: &'static [Skipped],
+}
+
+/// A parameter of the model with the value that a scene gives it for good.
+#[derive(Debug)]
+pub struct Fixed {
+    /// As in the model file.
+    pub name: &'static str,
+    /// Components row by row.
+    pub values: &'static [f64],
+}
+
+/// A component of the state that starts at 0 and stays there.
+#[derive(Debug)]
+pub struct Zero {
+    /// Its position in the flat state.
+    pub component: usize,
+    /// Why it stays there.
+    pub reason: &'static str,
+}
+
+/// Something in a model that a scene does without.
+#[derive(Debug)]
+pub struct Skipped {
+    /// `parameter`, `state`, `component`, `unknown`, `equation`, `output` or `flow`.
+    pub kind: &'static str,
+    /// Its name or text.
+    pub what: &'static str,
+    /// Why it can be left out.
+    pub reason: &'static str,
+    /// Its line in the model file.
+    pub line: usize,
 }
 
 /// A named quantity.
@@ -64,6 +118,23 @@ pub struct Solver {
     /// Structural non-zeros of the Jacobian as (row, column), row by row.
     pub pattern: &'static [(usize, usize)],
     /// Operation counts: scene, step, residual, residual and Jacobian, next.
+    pub counts: &'static [(&'static str, Count)],
+    /// What is iterated on, where that is less.
+    pub core: Option<&'static Core>,
+}
+
+/// A solver after unknowns that enter linearly are eliminated.
+#[derive(Debug)]
+pub struct Core {
+    /// The unknowns that are left.
+    pub unknowns: &'static [Unknown],
+    /// The unknowns that are eliminated.
+    pub eliminated: &'static [Unknown],
+    /// The lines of the equations that are solved for them, each once.
+    pub lines: &'static [usize],
+    /// Structural non-zeros of the Jacobian as (row, column), row by row.
+    pub pattern: &'static [(usize, usize)],
+    /// Operation counts, as those of the solver.
     pub counts: &'static [(&'static str, Count)],
 }
 

@@ -63,4 +63,6 @@ static NOTHING: Description = Description {
     solvers: &[],
     claims: &[],
     has_flow: false,
+    counts: &[],
+    scene: None,
 };

@@ -142,6 +142,15 @@ pub enum InvalidRun {
     Parameter(Component, f64),
     /// A start value is infinite or NaN.
     StartValue(Component, f64),
+    /// A start value is not 0 although the scene has done without the component: it would have stayed 0.
+    NotZero {
+        /// Which.
+        component: Component,
+        /// The value given.
+        value: f64,
+        /// Why 0 would have stayed 0.
+        reason: &'static str,
+    },
     /// A slice has the wrong number of values.
     Length {
         /// `parameters` or `start values`.
@@ -165,6 +174,14 @@ impl fmt::Display for InvalidRun {
             Self::StartValue(component, value) => {
                 write!(f, "start value {component} is {value}, {finite}")
             }
+            Self::NotZero {
+                component,
+                value,
+                reason,
+            } => write!(
+                f,
+                "start value {component} is {value}, and the scene relies on 0: {reason}"
+            ),
             Self::Length {
                 what,
                 expected,

@@ -55,7 +55,8 @@ impl<M: Method<T>, T: Real> Integration<M, T> {
     /// A run from `start` at t = 0 with the step `h` (in s where the model has units). A negative `h` runs
     /// backwards in time.
     ///
-    /// Errors: `h` is 0, or `h`, a parameter or a start value is infinite or NaN.
+    /// Errors: `h` is 0; `h`, a parameter or a start value is infinite or NaN; or a start value is not 0 that a
+    /// scene relies on being 0.
     pub fn new(
         parameters: <M::Model as Model<T>>::Parameters,
         start: <M::Model as Model<T>>::State,
@@ -80,6 +81,20 @@ impl<M: Method<T>, T: Real> Integration<M, T> {
                 position,
             };
             return Err(InvalidRun::StartValue(component, value));
+        }
+        for zero in M::Model::DESCRIPTION.scene.map_or(&[][..], |s| s.zeros) {
+            let value = state.as_ref()[zero.component].to_f64();
+            if value != 0.0 {
+                let component = Component {
+                    variables: M::Model::DESCRIPTION.states,
+                    position: zero.component,
+                };
+                return Err(InvalidRun::NotZero {
+                    component,
+                    value,
+                    reason: zero.reason,
+                });
+            }
         }
         Ok(Self {
             method: M::new(&parameters, h),

@@ -41,10 +41,11 @@
 //! - A step allocates nothing, and neither does a failed one: the state stays as it was, and [`StepError`]
 //!   says which equation, when, and by how much.
 //! - Everything works on any [`Scalar`], Newton's method on any [`Real`]: `f64` and `f32`.
+//! - `scene!` makes such a module for one run of a model, with nothing in it that the run does not need.
 //! - [`Catalogued`] is the door for programs that pick models at run time.
 //!
 //! Features: `std` takes `sin` and its kin from the standard library, without it they come from `libm`, and
-//! nothing here needs an operating system; `macros` re-exports `model!`; `dual` adds derivatives by dual
+//! nothing here needs an operating system; `macros` re-exports `model!` and `scene!`; `dual` adds derivatives by dual
 //! numbers, to check Jacobians with, and needs `std`; `ensemble` adds [`Ensemble`], many trajectories at a time, and
 //! needs `std`.
 

@@ -8,6 +8,7 @@
 //! | num-dual | the same with the Jacobian by forward-mode dual numbers, a pass per unknown |
 //! | dense | our stepper on all unknowns |
 //! | structured | our stepper, as it comes |
+//! | scene | our stepper of a scene of the model |
 //!
 //! All iterate from the known state, or from what they extrapolate, to corrections below 1e-12; end states are compared
 //! before anything is timed.
@@ -30,6 +31,16 @@ const STEPS: u64 = 500;
 
 /// The paper's finer step, s.
 const H: f64 = 0.01;
+
+/// m, J, ρ and g of the scene `paper_spatial`.
+const ISOTROPIC: [f64; 14] = [
+    10.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.7, 9.81,
+];
+
+/// m, J, ρ and g of the scene `spatial_asymmetric`.
+const ASYMMETRIC: [f64; 14] = [
+    10.0, 1.0, 0.0, 0.0, 0.0, 2.8, 0.0, 0.0, 0.0, 2.0, 0.0, 0.1, 0.7, 9.81,
+];
 
 fn main() {
     // Cargo passes `--bench`, and tests of benches nothing: then a round is enough.
@@ -54,10 +65,81 @@ fn main() {
     by_hand::<models::spatial_reduced::Increment, spatial_reduced::Increment, 6, 6>(rounds);
     by_hand::<models::spatial_group::Increment, spatial_group::Increment, 12, 12>(rounds);
     by_hand::<models::spatial_cardan::Increment, spatial_cardan::Increment, 6, 6>(rounds);
+    scene::<models::planar_group::Next, models::paper_planar::Next, planar_group::Next, 5, 5>(
+        "scene paper_planar",
+        &[2.0, 0.48, 0.6, 9.81],
+        &[1.0],
+        rounds,
+    );
+    scene::<
+        models::spatial_group::Increment,
+        models::paper_spatial::Increment,
+        spatial_group::Increment,
+        12,
+        12,
+    >("scene paper_spatial", &ISOTROPIC, &[0.0; 2], rounds);
+    scene::<
+        models::spatial_group::Increment,
+        models::spatial_asymmetric::Increment,
+        spatial_group::Increment,
+        12,
+        12,
+    >(
+        "scene spatial_asymmetric",
+        &ASYMMETRIC,
+        &[0.5, -0.5, 0.4],
+        rounds,
+    );
     generated::<models::double_planar::Increment, 4>("double_planar increment", rounds);
     generated::<models::elastic::Increment, 4>("elastic increment", rounds);
     generated::<models::spherical::Increment, 6>("spherical increment", rounds);
     generated::<models::lattice::Increment, 12>("lattice increment", rounds);
+}
+
+/// The model `S` and the form `F` of it coded by hand, on the run of its scene `C`, with the parameters of that: what is
+/// kept of the angular velocity is compared.
+fn scene<S, C, F, const M: usize, const N: usize>(
+    title: &str,
+    parameters: &'static [f64],
+    rates: &'static [f64],
+    rounds: usize,
+) where
+    S: Rivalled<N> + 'static,
+    C: Solvable<f64> + 'static,
+    F: Form<M, N> + 'static,
+    Const<N>: DimMin<Const<N>, Output = Const<N>>,
+{
+    let from = |lane: fn() -> Vec<f64>| move || lane()[..rates.len()].to_vec();
+    let by_hand = move || {
+        let (parameters, start) = whole::<S>(parameters, rates);
+        by_hand_run::<F, M, N>(parameters.to_array().as_ref(), start.to_array().as_ref())
+    };
+    let whole = move || {
+        let (parameters, start) = whole::<S>(parameters, rates);
+        run::<S>(parameters, start, Strategy::Core)
+    };
+    let lanes = vec![
+        Lane::new("by hand", move || by_hand()[..rates.len()].to_vec()),
+        Lane::new("structured", move || whole()[..rates.len()].to_vec()),
+        Lane::new("scene", from(|| stepper::<C>(Strategy::Core))),
+    ];
+    race(title, STEPS, rounds, lanes);
+}
+
+/// The parameters and the start of the model, some of them others.
+fn whole<S: System<f64>>(
+    parameters: &[f64],
+    rates: &[f64],
+) -> (
+    <S::Model as Model<f64>>::Parameters,
+    <S::Model as Model<f64>>::State,
+) {
+    let mut own = <S::Model as Model<f64>>::Parameters::default().to_array();
+    own.as_mut().copy_from_slice(parameters);
+    let own = Record::from_array(own);
+    let mut start = S::Model::start(&own).to_array();
+    start.as_mut()[..rates.len()].copy_from_slice(rates);
+    (own, Record::from_array(start))
 }
 
 /// The form `F`, coded by hand, and the generated solver `S` of the same equations.
@@ -70,15 +152,25 @@ fn by_hand<S: Rivalled<N> + 'static, F: Form<M, N> + 'static, const M: usize, co
         let parameters = <<S as System<f64>>::Model as Model<f64>>::Parameters::default();
         let start = <S as System<f64>>::Model::start(&parameters).to_array();
         let parameters = parameters.to_array();
-        let (parameters, start) = (black_box(parameters.as_ref()), black_box(start.as_ref()));
-        let mut stepper = nalgebra_step::Stepper::<F, M, N>::new(parameters, start, black_box(H));
-        for _ in 0..STEPS {
-            black_box(stepper.step()).expect("Newton converges");
-        }
-        stepper.state().to_vec()
+        by_hand_run::<F, M, N>(parameters.as_ref(), start.as_ref())
     });
     let lanes = [first].into_iter().chain(ours::<S, N>()).collect();
     race(&format!("{} {}", F::MODEL, F::FORM), STEPS, rounds, lanes);
+}
+
+fn by_hand_run<F: Form<M, N>, const M: usize, const N: usize>(
+    parameters: &[f64],
+    start: &[f64],
+) -> Vec<f64>
+where
+    Const<N>: DimMin<Const<N>, Output = Const<N>>,
+{
+    let (parameters, start) = (black_box(parameters), black_box(start));
+    let mut stepper = nalgebra_step::Stepper::<F, M, N>::new(parameters, start, black_box(H));
+    for _ in 0..STEPS {
+        black_box(stepper.step()).expect("Newton converges");
+    }
+    stepper.state().to_vec()
 }
 
 /// A model that nobody has coded by hand.
@@ -117,12 +209,20 @@ where
 }
 
 fn stepper<S: Solvable<f64>>(strategy: Strategy) -> Vec<f64> {
-    let parameters = black_box(<S::Model as Model<f64>>::Parameters::default());
-    let start = black_box(S::Model::start(&parameters));
+    let parameters = <S::Model as Model<f64>>::Parameters::default();
+    run::<S>(parameters, S::Model::start(&parameters), strategy)
+}
+
+fn run<S: Solvable<f64>>(
+    parameters: <S::Model as Model<f64>>::Parameters,
+    start: <S::Model as Model<f64>>::State,
+    strategy: Strategy,
+) -> Vec<f64> {
     let settings = Settings {
         strategy,
         ..Settings::default()
     };
+    let (parameters, start) = (black_box(parameters), black_box(start));
     let stepper = Stepper::<S>::new(parameters, start, black_box(H)).expect("a valid run");
     let mut stepper = stepper.with_settings(settings);
     for _ in 0..STEPS {

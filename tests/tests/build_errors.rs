@@ -3,6 +3,7 @@
 
 use std::fs;
 use std::path::Path;
+use std::path::PathBuf;
 use std::process::Command;
 
 /// Code that names everything a model leaves in its module.
@@ -31,6 +32,11 @@ pub fn angular_velocity() -> f64 {
 
 /// What `cargo check` says about a crate whose one model file is `model`.
 fn check(name: &str, user: &str, model: &str) -> (bool, String) {
+    cargo_check(&write_crate(name, user, model))
+}
+
+/// A crate with one model file, and its folder.
+fn write_crate(name: &str, user: &str, model: &str) -> PathBuf {
     let workspace = Path::new(env!("CARGO_MANIFEST_DIR"));
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     fs::create_dir_all(folder.join("src")).expect("a folder for the crate");
@@ -47,9 +53,15 @@ fn check(name: &str, user: &str, model: &str) -> (bool, String) {
     .expect("a lock file");
     fs::write(folder.join("src/lib.rs"), format!("{USER}{user}")).expect("a library");
     fs::write(folder.join("src/pendulum.model"), model).expect("a model");
+    folder
+}
+
+/// What `cargo check` says about the crate in `folder`.
+fn cargo_check(folder: &Path) -> (bool, String) {
+    let workspace = Path::new(env!("CARGO_MANIFEST_DIR"));
     let output = Command::new(env!("CARGO"))
         .args(["check", "--quiet", "--offline", "--color", "never"])
-        .current_dir(&folder)
+        .current_dir(folder)
         .env("CARGO_TARGET_DIR", workspace.join("own_crate/target"))
         .env_remove("RUSTFLAGS")
         .output()
@@ -147,4 +159,93 @@ fn a_good_model_builds_without_a_warning() {
     let (built, stderr) = check("good_model", "", model);
     assert!(built, "{stderr}");
     assert_eq!(stderr, "");
+}
+
+/// Code that runs a scene of the model.
+const SCENE_USER: &str = "
+pub mod swing {
+    use residua::scene;
+    include!(\"swing.scene\");
+}
+pub fn start() -> f64 {
+    use residua::Model as _;
+    let parameters = swing::Parameters::<f64>::default();
+    swing::Model::start(&parameters).x + swing::MODEL.description.states.len() as f64
+}
+";
+
+const MODEL: &str = "model! {
+    param c = 2;
+    state x;
+    residual { Δx + c*h*x[k+1/2] = 0; }
+    solve for next, increment;
+    start { x = 1; }
+}
+";
+
+/// Writes the crate and its scene, and checks it.
+fn check_scene(name: &str, scene: &str) -> (bool, String) {
+    let folder = write_crate(name, SCENE_USER, MODEL);
+    fs::write(folder.join("src/swing.scene"), scene).expect("a scene");
+    cargo_check(&folder)
+}
+
+#[test]
+fn a_scene_stands_beside_its_model_and_is_rebuilt_with_it() {
+    let name = "good_scene";
+    let scene = "scene! {\n    model pendulum;\n    fix c = 3;\n    step 0.1;\n    until 1;\n}\n";
+    let (built, stderr) = check_scene(name, scene);
+    assert!(built, "{stderr}");
+    assert_eq!(stderr, "");
+    // Another model, the same scene: the mistake is found in it although it was not touched.
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let other = MODEL.replace("param c", "param b").replace("c*h", "b*h");
+    fs::write(folder.join("src/pendulum.model"), other).expect("a model");
+    let (built, stderr) = cargo_check(&folder);
+    assert!(!built);
+    assert_eq!(errors(&stderr).len(), 1, "{stderr}");
+    assert!(stderr.contains("swing.scene:3:"), "{stderr}");
+    assert!(stderr.contains("has no parameter `c`"), "{stderr}");
+}
+
+#[test]
+fn mistakes_of_a_scene_have_carets_in_it() {
+    let scene = "scene! {
+    model pendulum;
+    fix c = [1, 2];
+    start { x = cc; }
+    step 0.1;
+    until 1;
+}
+";
+    let (built, stderr) = check_scene("bad_scene", scene);
+    assert!(!built);
+    assert_eq!(errors(&stderr).len(), 2, "{stderr}");
+    assert!(stderr.contains("swing.scene:3:13"), "{stderr}");
+    assert!(stderr.contains("swing.scene:4:17"), "{stderr}");
+    assert!(!stderr.contains("error[E"), "{stderr}");
+
+    let (built, stderr) = check_scene("scene_without_model", &scene.replace("pendulum", "nothing"));
+    assert!(!built);
+    assert!(stderr.contains("swing.scene:2:11"), "{stderr}");
+    assert!(stderr.contains("there is no model `nothing`"), "{stderr}");
+}
+
+#[test]
+fn mistakes_of_the_model_are_told_once_with_their_place() {
+    let name = "scene_of_bad_model";
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let scene = "scene! { model pendulum; step 0.1; until 1; }";
+    check_scene(name, scene);
+    fs::write(
+        folder.join("src/pendulum.model"),
+        MODEL.replace("c*h", "d*h"),
+    )
+    .expect("a model");
+    let (built, stderr) = cargo_check(&folder);
+    assert!(!built);
+    assert_eq!(errors(&stderr).len(), 2, "{stderr}");
+    assert!(stderr.contains("pendulum.model:4:21"), "{stderr}");
+    let told = "the model `pendulum` has mistakes: 4:21: unknown name `d`";
+    assert!(stderr.contains(told), "{stderr}");
 }

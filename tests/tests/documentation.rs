@@ -1,19 +1,25 @@
-//! The documents say what is so: their model files compile, and the reference leaves no function out.
+//! The documents say what is so: their model and scene files compile, and the reference leaves no function out.
 
 use residua_codegen::function::TABLE;
-use residua_codegen::source::read_source;
+use residua_codegen::source::{read_scene, read_source};
+use residua_models::find;
 
 const README: &str = include_str!("../../README.md");
 const LANGUAGE: &str = include_str!("../../codegen/LANGUAGE.md");
 
 /// The model files among the code blocks of a document.
 fn models(document: &str) -> impl Iterator<Item = &str> {
+    files(document, "model! {")
+}
+
+/// The files among the code blocks of a document that begin like this.
+fn files<'d>(document: &'d str, begin: &'d str) -> impl Iterator<Item = &'d str> {
     document
         .split("```")
         .skip(1)
         .step_by(2)
         .filter_map(|block| block.strip_prefix("rust\n"))
-        .filter(|block| block.starts_with("model! {"))
+        .filter(move |block| block.starts_with(begin))
 }
 
 fn assert_model_compiles(document: &str) {
@@ -34,6 +40,27 @@ fn the_readme_shows_a_model_that_compiles() {
 #[test]
 fn the_reference_shows_a_model_that_compiles() {
     assert_model_compiles(LANGUAGE);
+}
+
+/// Scenes of the catalogue's models.
+fn assert_scene_compiles(document: &str) {
+    assert_ne!(files(document, "scene! {").count(), 0);
+    let read = |model: &str| match find(model) {
+        Ok(model) => Ok(model.source.to_owned()),
+        Err(unknown) => Err(unknown.to_string()),
+    };
+    for text in files(document, "scene! {") {
+        let tokens = read_scene(text.as_bytes()).expect("a scene file");
+        if let Err(errors) = residua_codegen::compile_scene("documented", tokens, &read) {
+            panic!("{errors}\nin\n{text}");
+        }
+    }
+}
+
+#[test]
+fn the_documents_show_scenes_that_compile() {
+    assert_scene_compiles(README);
+    assert_scene_compiles(LANGUAGE);
 }
 
 #[test]

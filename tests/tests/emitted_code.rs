@@ -11,6 +11,25 @@ pub mod names {
     include!("../../codegen/tests/golden/names.model");
 }
 
+/// A scene of the other golden model.
+#[deny(warnings, clippy::all, clippy::pedantic)]
+pub mod swing {
+    use residua::scene;
+    include!("../../codegen/tests/golden/swing.scene");
+}
+
+#[test]
+fn a_scene_has_the_fields_that_are_left() {
+    let parameters = swing::Parameters { m: 1.0, J: 2.0 };
+    let start: swing::State<f64> = swing::Model::start(&parameters);
+    let expected = [0.0, 0.75_f64.sqrt(), 0.5];
+    for (found, expected) in start.to_array().iter().zip(expected) {
+        assert!((found - expected).abs() <= f64::EPSILON);
+    }
+    let swing::Outputs { theta } = swing::Model::outputs(&parameters, 0.1, 0.0, &start);
+    assert!((theta - std::f64::consts::FRAC_PI_3).abs() <= 2.0 * f64::EPSILON);
+}
+
 #[test]
 fn awkward_names_are_fields() {
     let parameters = names::Parameters::<f64>::default();

@@ -16,6 +16,7 @@ mod flow;
 mod functions;
 mod names;
 mod operators;
+mod scene;
 mod stand_in;
 mod statements;
 mod symbols;
@@ -26,6 +27,8 @@ mod typing;
 mod value;
 mod values;
 
+pub use scene::Setting;
+pub use scene::set;
 pub use stand_in::stand_in;
 pub use value::check_value;
 
@@ -88,6 +91,7 @@ pub fn check(ast: &Ast) -> Result<Model, Errors> {
         forms: forms(&statements, &solved),
         unknowns,
         solved,
+        absent: Vec::new(),
         exprs: std::mem::take(&mut typing.exprs),
         residual,
         flow,

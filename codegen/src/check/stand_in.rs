@@ -73,6 +73,7 @@ pub fn stand_in(ast: &Ast) -> Model {
         states,
         unknowns: Vec::new(),
         solved: Vec::new(),
+        absent: Vec::new(),
         residual: Vec::new(),
         outputs: outputs(&mut typing),
         forms: vec![Form::Next, Form::Increment],

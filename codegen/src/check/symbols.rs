@@ -276,7 +276,8 @@ fn declaration(item: &Item) -> Option<Symbol<'_>> {
     })
 }
 
-fn complain_if_reserved(kind: Kind, name: &Name, errors: &mut Errors) {
+/// Complains about a name that is not free.
+pub(super) fn complain_if_reserved(kind: Kind, name: &Name, errors: &mut Errors) {
     // No expression names an output, so an invariant may be called `norm`.
     let is_output = matches!(kind, Kind::Output(_));
     let ascii = name.ascii.as_str();

@@ -50,6 +50,7 @@ pub fn check_value(
         states: Vec::new(),
         unknowns: Vec::new(),
         solved: Vec::new(),
+        absent: Vec::new(),
         residual: Vec::new(),
         flow: Vec::new(),
         outputs: typing.outputs(&units, Strictness::Lax),

@@ -10,14 +10,23 @@ use crate::finding::Finding;
 use crate::model::Model;
 use crate::model::Solved;
 use crate::model::Variable;
+use crate::scene::Receipt;
+use crate::scene::Skipped;
 use crate::schedule::Count;
+use crate::schedule::Kernel;
 use crate::schedule::Program;
+use crate::schedule::Schedule;
 use crate::schedule::Solver;
 use proc_macro2::TokenStream;
 use quote::quote;
 
 /// `DESCRIPTION`
-pub(super) fn emit(model: &Model, program: &Program, findings: &[Finding]) -> TokenStream {
+pub(super) fn emit(
+    model: &Model,
+    program: &Program,
+    findings: &[Finding],
+    receipt: Option<&Receipt>,
+) -> TokenStream {
     let name = &model.name;
     let doc = model
         .doc
@@ -35,6 +44,12 @@ pub(super) fn emit(model: &Model, program: &Program, findings: &[Finding]) -> To
     let solvers = program.solvers.iter().map(|s| solver(model, s));
     let claims = findings.iter().map(claim);
     let has_flow = program.flow.is_some();
+    let counts = std::iter::once(&program.outputs).chain(&program.flow);
+    let counts = counts.flat_map(self::counts);
+    let scene = match receipt {
+        Some(receipt) => scene(receipt),
+        None => quote!(::core::option::Option::None),
+    };
     quote! {
         /// Names, shapes, units and texts.
         pub const DESCRIPTION: &::residua::Description = &::residua::Description {
@@ -46,6 +61,8 @@ pub(super) fn emit(model: &Model, program: &Program, findings: &[Finding]) -> To
             solvers: &[#(#solvers),*],
             claims: &[#(#claims),*],
             has_flow: #has_flow,
+            counts: &[#(#counts),*],
+            scene: #scene,
         };
     }
 }
@@ -96,23 +113,56 @@ fn variable(variable: &Variable) -> TokenStream {
     }
 }
 
+/// What a scene is and what it does without.
+fn scene(receipt: &Receipt) -> TokenStream {
+    let Receipt {
+        model, keep, step, ..
+    } = receipt;
+    let (step, until) = (float(*step), float(receipt.until));
+    let fixed = receipt.fixed.iter().map(|(name, values)| {
+        let values = values.iter().copied().map(float);
+        quote!(::residua::description::Fixed { name: #name, values: &[#(#values),*] })
+    });
+    let zeros = receipt.zeros.iter().map(|(component, reason)| {
+        let component = whole(*component);
+        quote!(::residua::description::Zero { component: #component, reason: #reason })
+    });
+    let skipped = receipt.skipped.iter().map(|skipped| {
+        let (kind, line) = (skipped.kind.keyword(), whole(skipped.line));
+        let Skipped { what, reason, .. } = skipped;
+        quote! {
+            ::residua::description::Skipped {
+                kind: #kind,
+                what: #what,
+                reason: #reason,
+                line: #line,
+            }
+        }
+    });
+    quote! {
+        ::core::option::Option::Some(&::residua::description::Scene {
+            model: #model,
+            step: #step,
+            until: #until,
+            keep: &[#(#keep),*],
+            fixed: &[#(#fixed),*],
+            zeros: &[#(#zeros),*],
+            skipped: &[#(#skipped),*],
+        })
+    }
+}
+
 fn solver(model: &Model, solver: &Solver) -> TokenStream {
     let form = solver.form.keyword();
-    let unknowns = model
-        .solved
-        .iter()
-        .map(|&s| unknown(model, s, solver.form, model.solved_variable(s).shape.len()));
+    let unknowns = unknowns(model, solver.form, &solver.unknowns);
+    let (pattern, counts) = (pattern(solver), counts(&solver.schedule));
+    let core = match &solver.core {
+        Some(core) => core_of(model, solver, core),
+        None => quote!(::core::option::Option::None),
+    };
     let equations = model.residual.iter().map(|e| {
         let (text, line, len) = (&e.text, whole(e.range.line()), whole(e.shape.len()));
         quote!(::residua::description::Equation { text: #text, line: #line, len: #len })
-    });
-    let pattern = solver.pattern.iter().map(|(row, col)| {
-        let (row, col) = (whole(*row), whole(*col));
-        quote!((#row, #col))
-    });
-    let counts = solver.schedule.kernels.iter().map(|kernel| {
-        let (name, count) = (kernel.name, count(solver.schedule.count(kernel)));
-        quote!((#name, #count))
     });
     quote! {
         ::residua::description::Solver {
@@ -121,12 +171,76 @@ fn solver(model: &Model, solver: &Solver) -> TokenStream {
             equations: &[#(#equations),*],
             pattern: &[#(#pattern),*],
             counts: &[#(#counts),*],
+            core: #core,
         }
     }
 }
 
+/// What is left of `solver` after elimination.
+fn core_of(model: &Model, solver: &Solver, core: &Solver) -> TokenStream {
+    let left = unknowns(model, solver.form, &core.unknowns);
+    let others = solver.unknowns.iter().copied();
+    let others: Vec<usize> = others.filter(|i| !core.unknowns.contains(i)).collect();
+    let eliminated = unknowns(model, solver.form, &others);
+    let mut lines = Vec::new();
+    let mut offset = 0;
+    for equation in &model.residual {
+        let own = offset..offset + equation.shape.len();
+        offset = own.end;
+        let line = equation.range.line();
+        if core.solved.iter().any(|row| own.contains(row)) && !lines.contains(&line) {
+            lines.push(line);
+        }
+    }
+    let lines = lines.into_iter().map(whole);
+    let (pattern, counts) = (pattern(core), counts(&core.schedule));
+    quote! {
+        ::core::option::Option::Some(&::residua::description::Core {
+            unknowns: &[#(#left),*],
+            eliminated: &[#(#eliminated),*],
+            lines: &[#(#lines),*],
+            pattern: &[#(#pattern),*],
+            counts: &[#(#counts),*],
+        })
+    }
+}
+
+/// The structural non-zeros of a Jacobian.
+fn pattern(solver: &Solver) -> Vec<TokenStream> {
+    let pair = |&(row, col): &(usize, usize)| {
+        let (row, col) = (whole(row), whole(col));
+        quote!((#row, #col))
+    };
+    solver.pattern.iter().map(pair).collect()
+}
+
+/// The operations of each kernel.
+fn counts(schedule: &Schedule) -> Vec<TokenStream> {
+    let count = |kernel: &Kernel| {
+        let (name, count) = (kernel.name, count(schedule.count(kernel)));
+        quote!((#name, #count))
+    };
+    schedule.kernels.iter().map(count).collect()
+}
+
+/// The blocks of some of the unknowns: components of one variable each.
+pub(super) fn unknowns(model: &Model, form: Form, kept: &[usize]) -> Vec<TokenStream> {
+    let mut blocks: Vec<(Solved, usize)> = Vec::new();
+    for (i, (solved, _)) in model.unknown_components().enumerate() {
+        match blocks.last_mut() {
+            _ if !kept.contains(&i) => {}
+            Some((last, len)) if *last == solved => *len += 1,
+            Some(_) | None => blocks.push((solved, 1)),
+        }
+    }
+    let blocks = blocks.into_iter();
+    blocks
+        .map(|(solved, len)| unknown(model, solved, form, len))
+        .collect()
+}
+
 /// A block of unknowns: some components of a variable.
-pub(super) fn unknown(model: &Model, solved: Solved, form: Form, len: usize) -> TokenStream {
+fn unknown(model: &Model, solved: Solved, form: Form, len: usize) -> TokenStream {
     let variable = model.solved_variable(solved);
     let (shown, len) = (&variable.name.display, whole(len));
     let name = match (solved, form) {

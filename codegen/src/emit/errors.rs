@@ -31,14 +31,17 @@ fn error(diagnostic: &Diagnostic) -> TokenStream {
     quote_spanned!(start=> ::core::compile_error! #braces)
 }
 
-/// The items of the stand-in for a model with mistakes. The catalogue gets nothing to run.
-pub fn stub(model: &Model, program: &Program) -> TokenStream {
-    let items = super::items(model, program, &[]);
-    let name = &model.name;
+/// The one item of which the catalogue knows the name.
+pub fn vacant(name: &str) -> TokenStream {
     quote! {
-        #items
-
-        /// A model with mistakes.
+        /// Nothing could be read.
         pub static MODEL: ::residua::Catalogued = ::residua::Catalogued::stub(#name);
     }
+}
+
+/// The items of the stand-in for a model with mistakes. The catalogue gets nothing to run.
+pub fn stub(model: &Model, program: &Program) -> TokenStream {
+    let items = super::items(model, program, &[], None);
+    let vacant = vacant(&model.name);
+    quote!(#items #vacant)
 }

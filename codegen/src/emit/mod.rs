@@ -22,23 +22,35 @@ mod variables;
 
 pub use errors::errors;
 pub use errors::stub;
+pub use errors::vacant;
 
 use crate::finding::Finding;
 use crate::model::Model;
+use crate::scene::Receipt;
 use crate::schedule::Program;
 use proc_macro2::TokenStream;
 use quote::quote;
 use record::Record;
 
-/// The items of a model: records, traits, description.
-pub fn emit(model: &Model, program: &Program, findings: &[Finding]) -> TokenStream {
-    let items = items(model, program, findings);
+/// The items of a model: records, traits, description; of a scene if it comes with its receipt.
+pub fn emit(
+    model: &Model,
+    program: &Program,
+    findings: &[Finding],
+    receipt: Option<&Receipt>,
+) -> TokenStream {
+    let items = items(model, program, findings, receipt);
     let catalogued = description::catalogued(program);
     quote!(#items #catalogued)
 }
 
 /// All items but `MODEL`.
-fn items(model: &Model, program: &Program, findings: &[Finding]) -> TokenStream {
+fn items(
+    model: &Model,
+    program: &Program,
+    findings: &[Finding],
+    receipt: Option<&Receipt>,
+) -> TokenStream {
     let records = [
         Record::parameters(model),
         Record::state(model),
@@ -52,7 +64,7 @@ fn items(model: &Model, program: &Program, findings: &[Finding]) -> TokenStream 
         .map(|schedule| flow::emit(model, schedule));
     let solvers = program.solvers.iter().enumerate();
     let solvers = solvers.map(|(i, solver)| solver::emit(model, solver, i));
-    let description = description::emit(model, program, findings);
+    let description = description::emit(model, program, findings, receipt);
     quote! {
         #(#records)*
         #implementation

@@ -2,7 +2,7 @@
 
 use super::allow;
 use super::context::Context;
-use super::description::unknown;
+use super::description::unknowns;
 use super::equations::lines;
 use super::equations::rows;
 use super::expression::Expression;
@@ -152,21 +152,6 @@ fn system(
 /// The unit struct of the core of a form.
 fn core_name(form: Form) -> Ident {
     identifier(&format!("{}Core", name(form)))
-}
-
-/// The blocks of some of the unknowns: components of one variable each.
-fn unknowns(model: &Model, form: Form, kept: &[usize]) -> Vec<TokenStream> {
-    let mut blocks = Vec::new();
-    let mut offset = 0;
-    for &solved in &model.solved {
-        let own = offset..offset + model.solved_variable(solved).shape.len();
-        let len = kept.iter().filter(|i| own.contains(i)).count();
-        if len > 0 {
-            blocks.push(unknown(model, solved, form, len));
-        }
-        offset = own.end;
-    }
-    blocks
 }
 
 /// The unit struct of a form.

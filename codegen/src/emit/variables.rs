@@ -30,27 +30,23 @@ impl Variables {
             unknowns: Vec::new(),
             advanced: Vec::new(),
         };
-        for &solved in form.iter().flat_map(|_| &model.solved) {
+        let Some(form) = form else { return variables };
+        for (solved, i) in model.unknown_components() {
             let variable = model.solved_variable(solved);
-            for (i, name) in components(&variable.name.ascii, variable.shape)
-                .into_iter()
-                .enumerate()
-            {
-                let is_increment = form == Some(Form::Increment);
-                let (name, advanced) = match solved {
-                    Solved::Own(_) => (name, None),
-                    Solved::State(_) => {
-                        let name = if is_increment {
-                            format!("Delta_{name}")
-                        } else {
-                            format!("{name}_next")
-                        };
-                        (name, Some((variable.offset + i, is_increment)))
-                    }
-                };
-                variables.unknowns.push(name);
-                variables.advanced.push(advanced);
-            }
+            let name = components(&variable.name.ascii, variable.shape).swap_remove(i);
+            let (name, advanced) = match (solved, form) {
+                (Solved::Own(_), _) => (name, None),
+                (Solved::State(_), Form::Increment) => {
+                    let advanced = (variable.offset + i, true);
+                    (format!("Delta_{name}"), Some(advanced))
+                }
+                (Solved::State(_), Form::Next) => {
+                    let advanced = (variable.offset + i, false);
+                    (format!("{name}_next"), Some(advanced))
+                }
+            };
+            variables.unknowns.push(name);
+            variables.advanced.push(advanced);
         }
         variables
     }

@@ -10,6 +10,7 @@ mod cursor;
 mod expression;
 mod name;
 mod number;
+mod scene;
 mod statement;
 #[cfg(test)]
 mod tests;
@@ -17,6 +18,8 @@ mod tokens;
 mod types;
 
 pub use name::ascii_spelling;
+pub use scene::parse_scene;
+pub use scene::parse_scene_leniently;
 
 use crate::ast::Ast;
 use crate::ast::Expr;
@@ -38,23 +41,35 @@ use tokens::Kind;
 /// # Errors
 /// Every mistake in the grammar.
 pub fn parse(name: &str, tokens: TokenStream) -> Result<Ast, Errors> {
-    let (ast, errors) = read(name, tokens);
+    let (ast, errors) = read(name, tokens, None);
+    errors.or(ast)
+}
+
+/// Reads a model as if all of it stood at `place`, for a text that is not the one to point into.
+///
+/// # Errors
+/// Every mistake in the grammar.
+pub fn parse_at(name: &str, tokens: TokenStream, place: Span) -> Result<Ast, Errors> {
+    let (ast, errors) = read(name, tokens, Some(place));
     errors.or(ast)
 }
 
 /// What can be read of a model, whatever its mistakes.
 pub fn parse_leniently(name: &str, tokens: TokenStream) -> Ast {
-    read(name, tokens).0
+    read(name, tokens, None).0
 }
 
 /// What could be read, and every mistake. Of a declaration with a mistake its name is kept, and its type if
 /// that much is right.
-fn read(name: &str, tokens: TokenStream) -> (Ast, Errors) {
+fn read(name: &str, tokens: TokenStream, place: Option<Span>) -> (Ast, Errors) {
     let mut parser = Parser::default();
-    let tokens = tokens::flatten(tokens).unwrap_or_else(|error| {
+    let mut tokens = tokens::flatten(tokens).unwrap_or_else(|error| {
         parser.errors = Errors::from(error);
         Vec::new()
     });
+    if let Some(place) = place {
+        tokens.iter_mut().for_each(|token| token.span = place);
+    }
     let mut cursor = Cursor::new(&tokens);
     let range = match (tokens.first(), tokens.last()) {
         (Some(first), Some(last)) => Range::of(first.span).to(Range::of(last.span)),

@@ -1053,10 +1053,148 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
                     },
                 ),
             ],
+            core: ::core::option::Option::Some(
+                &::residua::description::Core {
+                    unknowns: &[
+                        ::residua::description::Unknown {
+                            name: "Δr",
+                            len: 1,
+                            measure: ::core::option::Option::Some(2..3),
+                        },
+                        ::residua::description::Unknown {
+                            name: "ΔNext",
+                            len: 1,
+                            measure: ::core::option::Option::Some(3..4),
+                        },
+                    ],
+                    eliminated: &[
+                        ::residua::description::Unknown {
+                            name: "Δx",
+                            len: 2,
+                            measure: ::core::option::Option::Some(0..2),
+                        },
+                    ],
+                    lines: &[22],
+                    pattern: &[(0, 0), (1, 1)],
+                    counts: &[
+                        (
+                            "scene",
+                            ::residua::description::Count {
+                                additions: 6,
+                                multiplications: 24,
+                                divisions: 3,
+                                calls: 5,
+                            },
+                        ),
+                        (
+                            "step",
+                            ::residua::description::Count {
+                                additions: 6,
+                                multiplications: 11,
+                                divisions: 0,
+                                calls: 0,
+                            },
+                        ),
+                        (
+                            "guess",
+                            ::residua::description::Count {
+                                additions: 0,
+                                multiplications: 0,
+                                divisions: 0,
+                                calls: 0,
+                            },
+                        ),
+                        (
+                            "residual",
+                            ::residua::description::Count {
+                                additions: 7,
+                                multiplications: 9,
+                                divisions: 1,
+                                calls: 2,
+                            },
+                        ),
+                        (
+                            "residual_and_jacobian",
+                            ::residua::description::Count {
+                                additions: 11,
+                                multiplications: 20,
+                                divisions: 1,
+                                calls: 2,
+                            },
+                        ),
+                        (
+                            "next",
+                            ::residua::description::Count {
+                                additions: 2,
+                                multiplications: 0,
+                                divisions: 0,
+                                calls: 0,
+                            },
+                        ),
+                        (
+                            "growth",
+                            ::residua::description::Count {
+                                additions: 0,
+                                multiplications: 0,
+                                divisions: 0,
+                                calls: 0,
+                            },
+                        ),
+                        (
+                            "change",
+                            ::residua::description::Count {
+                                additions: 0,
+                                multiplications: 0,
+                                divisions: 0,
+                                calls: 0,
+                            },
+                        ),
+                        (
+                            "correction",
+                            ::residua::description::Count {
+                                additions: 11,
+                                multiplications: 21,
+                                divisions: 3,
+                                calls: 2,
+                            },
+                        ),
+                    ],
+                },
+            ),
         },
     ],
     claims: &[],
     has_flow: false,
+    counts: &[
+        (
+            "scene",
+            ::residua::description::Count {
+                additions: 0,
+                multiplications: 0,
+                divisions: 0,
+                calls: 0,
+            },
+        ),
+        (
+            "step",
+            ::residua::description::Count {
+                additions: 0,
+                multiplications: 0,
+                divisions: 0,
+                calls: 0,
+            },
+        ),
+        (
+            "outputs",
+            ::residua::description::Count {
+                additions: 0,
+                multiplications: 0,
+                divisions: 0,
+                calls: 0,
+            },
+        ),
+    ],
+    scene: ::core::option::Option::None,
 };
 /// The model behind one face, for programs that pick models at run time.
 pub static MODEL: ::residua::Catalogued = ::residua::Catalogued {

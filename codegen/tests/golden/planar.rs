@@ -1120,6 +1120,100 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
                     },
                 ),
             ],
+            core: ::core::option::Option::Some(
+                &::residua::description::Core {
+                    unknowns: &[
+                        ::residua::description::Unknown {
+                            name: "ω[k+1]",
+                            len: 1,
+                            measure: ::core::option::Option::Some(0..1),
+                        },
+                    ],
+                    eliminated: &[
+                        ::residua::description::Unknown {
+                            name: "Γ[k+1]",
+                            len: 2,
+                            measure: ::core::option::Option::Some(1..3),
+                        },
+                    ],
+                    lines: &[27],
+                    pattern: &[(0, 0)],
+                    counts: &[
+                        (
+                            "scene",
+                            ::residua::description::Count {
+                                additions: 0,
+                                multiplications: 7,
+                                divisions: 0,
+                                calls: 0,
+                            },
+                        ),
+                        (
+                            "step",
+                            ::residua::description::Count {
+                                additions: 0,
+                                multiplications: 10,
+                                divisions: 0,
+                                calls: 0,
+                            },
+                        ),
+                        (
+                            "guess",
+                            ::residua::description::Count {
+                                additions: 0,
+                                multiplications: 0,
+                                divisions: 0,
+                                calls: 0,
+                            },
+                        ),
+                        (
+                            "residual",
+                            ::residua::description::Count {
+                                additions: 8,
+                                multiplications: 8,
+                                divisions: 0,
+                                calls: 0,
+                            },
+                        ),
+                        (
+                            "residual_and_jacobian",
+                            ::residua::description::Count {
+                                additions: 12,
+                                multiplications: 14,
+                                divisions: 0,
+                                calls: 0,
+                            },
+                        ),
+                        (
+                            "next",
+                            ::residua::description::Count {
+                                additions: 8,
+                                multiplications: 10,
+                                divisions: 1,
+                                calls: 0,
+                            },
+                        ),
+                        (
+                            "growth",
+                            ::residua::description::Count {
+                                additions: 0,
+                                multiplications: 0,
+                                divisions: 0,
+                                calls: 0,
+                            },
+                        ),
+                        (
+                            "correction",
+                            ::residua::description::Count {
+                                additions: 12,
+                                multiplications: 14,
+                                divisions: 1,
+                                calls: 0,
+                            },
+                        ),
+                    ],
+                },
+            ),
         },
         ::residua::description::Solver {
             form: "increment",
@@ -1213,6 +1307,109 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
                     },
                 ),
             ],
+            core: ::core::option::Option::Some(
+                &::residua::description::Core {
+                    unknowns: &[
+                        ::residua::description::Unknown {
+                            name: "Δω",
+                            len: 1,
+                            measure: ::core::option::Option::Some(0..1),
+                        },
+                    ],
+                    eliminated: &[
+                        ::residua::description::Unknown {
+                            name: "ΔΓ",
+                            len: 2,
+                            measure: ::core::option::Option::Some(1..3),
+                        },
+                    ],
+                    lines: &[27],
+                    pattern: &[(0, 0)],
+                    counts: &[
+                        (
+                            "scene",
+                            ::residua::description::Count {
+                                additions: 0,
+                                multiplications: 11,
+                                divisions: 0,
+                                calls: 0,
+                            },
+                        ),
+                        (
+                            "step",
+                            ::residua::description::Count {
+                                additions: 0,
+                                multiplications: 6,
+                                divisions: 0,
+                                calls: 0,
+                            },
+                        ),
+                        (
+                            "guess",
+                            ::residua::description::Count {
+                                additions: 0,
+                                multiplications: 0,
+                                divisions: 0,
+                                calls: 0,
+                            },
+                        ),
+                        (
+                            "residual",
+                            ::residua::description::Count {
+                                additions: 5,
+                                multiplications: 8,
+                                divisions: 0,
+                                calls: 0,
+                            },
+                        ),
+                        (
+                            "residual_and_jacobian",
+                            ::residua::description::Count {
+                                additions: 8,
+                                multiplications: 14,
+                                divisions: 0,
+                                calls: 0,
+                            },
+                        ),
+                        (
+                            "next",
+                            ::residua::description::Count {
+                                additions: 7,
+                                multiplications: 10,
+                                divisions: 1,
+                                calls: 0,
+                            },
+                        ),
+                        (
+                            "growth",
+                            ::residua::description::Count {
+                                additions: 0,
+                                multiplications: 0,
+                                divisions: 0,
+                                calls: 0,
+                            },
+                        ),
+                        (
+                            "change",
+                            ::residua::description::Count {
+                                additions: 4,
+                                multiplications: 10,
+                                divisions: 1,
+                                calls: 0,
+                            },
+                        ),
+                        (
+                            "correction",
+                            ::residua::description::Count {
+                                additions: 8,
+                                multiplications: 12,
+                                divisions: 1,
+                                calls: 0,
+                            },
+                        ),
+                    ],
+                },
+            ),
         },
     ],
     claims: &[
@@ -1242,6 +1439,63 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
         },
     ],
     has_flow: true,
+    counts: &[
+        (
+            "scene",
+            ::residua::description::Count {
+                additions: 0,
+                multiplications: 3,
+                divisions: 0,
+                calls: 0,
+            },
+        ),
+        (
+            "step",
+            ::residua::description::Count {
+                additions: 0,
+                multiplications: 0,
+                divisions: 0,
+                calls: 0,
+            },
+        ),
+        (
+            "outputs",
+            ::residua::description::Count {
+                additions: 1,
+                multiplications: 4,
+                divisions: 0,
+                calls: 1,
+            },
+        ),
+        (
+            "scene",
+            ::residua::description::Count {
+                additions: 0,
+                multiplications: 2,
+                divisions: 1,
+                calls: 0,
+            },
+        ),
+        (
+            "step",
+            ::residua::description::Count {
+                additions: 0,
+                multiplications: 0,
+                divisions: 0,
+                calls: 0,
+            },
+        ),
+        (
+            "flow",
+            ::residua::description::Count {
+                additions: 0,
+                multiplications: 3,
+                divisions: 0,
+                calls: 0,
+            },
+        ),
+    ],
+    scene: ::core::option::Option::None,
 };
 /// The model behind one face, for programs that pick models at run time.
 pub static MODEL: ::residua::Catalogued = ::residua::Catalogued {

@@ -4,6 +4,7 @@ use crate::expression::{Symbol, evaluate};
 use crate::failure::Failure;
 use crate::notation::components;
 use residua::description::Variable;
+use residua_codegen::parse::ascii_spelling;
 use std::fmt;
 use std::ops::Range;
 
@@ -15,6 +16,13 @@ pub struct Assignment {
 }
 
 impl Assignment {
+    /// It is for this variable, by the name in its file or in ASCII.
+    pub fn is_to(&self, name: &str) -> bool {
+        let text = self.target.as_str();
+        let own = text.split(['.', '(']).next().unwrap_or(text);
+        own == name || Some(own) == ascii_spelling(name).as_deref()
+    }
+
     /// Behind the `=`.
     pub fn value(&self) -> &str {
         &self.value
@@ -102,7 +110,13 @@ struct Place<'a> {
 
 fn place<'a>(assignment: &'a Assignment, target: &Target<'a>) -> Result<Place<'a>, Failure> {
     let text = assignment.target.as_str();
-    let (name, pick) = text.split_at(text.find(['.', '(']).unwrap_or(text.len()));
+    // A component that is all a scene has left of a variable has a name such as `R(2,1)`.
+    let is_named = |v: &Variable| text == v.name;
+    let end = match target.variables.iter().any(is_named) {
+        true => text.len(),
+        false => text.find(['.', '(']).unwrap_or(text.len()),
+    };
+    let (name, pick) = text.split_at(end);
     let mut start = 0;
     for variable in target.variables {
         let len = variable.rows * variable.cols;

@@ -2,7 +2,7 @@
 
 use crate::values;
 use residua::Catalogued;
-use residua::description::{Count, Solver, Variable};
+use residua::description::{Count, Solver, Unknown, Variable};
 use serde::Serialize;
 
 /// What `list --json` says about a model.
@@ -26,6 +26,22 @@ pub struct Model {
     pub flow: bool,
     /// What papers print.
     pub claims: Vec<Claim>,
+    /// The run that it was made for, if it is a scene.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub scene: Option<Scene>,
+}
+
+/// A model made for one run.
+#[derive(Serialize)]
+pub struct Scene {
+    /// The model.
+    pub model: &'static str,
+    /// Time step.
+    pub step: f64,
+    /// End time.
+    pub until: f64,
+    /// States and outputs that were asked for.
+    pub keep: &'static [&'static str],
 }
 
 /// A named quantity.
@@ -55,6 +71,20 @@ pub struct Form {
     pub unknowns: Vec<Block>,
     /// As in the file.
     pub equations: Vec<Block>,
+    /// Entries of the Jacobian that can differ from zero.
+    pub nonzeros: usize,
+    /// Operations of each emitted function.
+    pub operations: Vec<Operations>,
+    /// What is iterated on, where that is less.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub core: Option<Core>,
+}
+
+/// A solver after elimination.
+#[derive(Serialize)]
+pub struct Core {
+    /// Blocks of unknowns.
+    pub unknowns: Vec<Block>,
     /// Entries of the Jacobian that can differ from zero.
     pub nonzeros: usize,
     /// Operations of each emitted function.
@@ -133,6 +163,12 @@ pub fn describe(model: &Catalogued) -> Model {
         solvers: description.solvers.iter().map(form).collect(),
         flow: description.has_flow,
         claims: claims.collect(),
+        scene: description.scene.map(|scene| Scene {
+            model: scene.model,
+            step: scene.step,
+            until: scene.until,
+            keep: scene.keep,
+        }),
     }
 }
 
@@ -157,11 +193,6 @@ fn quantity(variable: &'static Variable, value: Option<Vec<f64>>) -> Quantity {
 }
 
 fn form(solver: &'static Solver) -> Form {
-    let unknowns = solver.unknowns.iter().map(|unknown| Block {
-        text: unknown.name,
-        len: unknown.len,
-        line: None,
-    });
     let equations = solver.equations.iter().map(|equation| Block {
         text: equation.text,
         len: equation.len,
@@ -169,11 +200,25 @@ fn form(solver: &'static Solver) -> Form {
     });
     Form {
         form: solver.form,
-        unknowns: unknowns.collect(),
+        unknowns: blocks(solver.unknowns),
         equations: equations.collect(),
         nonzeros: solver.pattern.len(),
         operations: solver.counts.iter().map(operations).collect(),
+        core: solver.core.map(|core| Core {
+            unknowns: blocks(core.unknowns),
+            nonzeros: core.pattern.len(),
+            operations: core.counts.iter().map(operations).collect(),
+        }),
     }
+}
+
+fn blocks(unknowns: &'static [Unknown]) -> Vec<Block> {
+    let block = |unknown: &'static Unknown| Block {
+        text: unknown.name,
+        len: unknown.len,
+        line: None,
+    };
+    unknowns.iter().map(block).collect()
 }
 
 fn operations(&(function, count): &(&'static str, Count)) -> Operations {

@@ -1,16 +1,17 @@
-//! Mistakes in a model file, shown in the file.
+//! Mistakes in a model file or a scene file, shown in the file.
 
 use crate::failure::Failure;
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use proc_macro2::{LineColumn, TokenStream};
-use residua_codegen::diagnostic::Diagnostic;
-use residua_codegen::source::{SourceError, read_source};
+use residua_codegen::diagnostic::{Diagnostic, Errors};
+use residua_codegen::source::{SourceError, read_scene, read_source};
+use residua_models::{Entry, find};
 use std::fs;
 use std::io::{self, IsTerminal};
 use std::ops::Range;
 use std::path::Path;
 
-/// Compiles the model file at `path`, or prints what is wrong with it on stderr.
+/// Compiles the model or scene file at `path`, or prints what is wrong with it on stderr.
 pub fn compile_file(path: &Path) -> Result<TokenStream, Failure> {
     let bytes = fs::read(path)
         .map_err(|error| Failure::input(format!("cannot read {}: {error}", path.display())))?;
@@ -18,15 +19,46 @@ pub fn compile_file(path: &Path) -> Result<TokenStream, Failure> {
     crate::name::check(&name).map_err(Failure::input)?;
     let text = String::from_utf8_lossy(&bytes);
     let shown = path.display().to_string();
-    compile(&name, &shown, &text, read_source(&bytes))
+    if path.extension().is_none_or(|ending| ending != "scene") {
+        return compile(&shown, &text, read_source(&bytes), &|tokens| {
+            residua_codegen::compile(&name, tokens)
+        });
+    }
+    let read = |model: &str| {
+        let path = path.with_file_name(format!("{model}.model"));
+        fs::read_to_string(&path)
+            .map_err(|error| format!("cannot read `{}`: {error}", path.display()))
+    };
+    compile(&shown, &text, read_scene(&bytes), &|tokens| {
+        residua_codegen::compile_scene(&name, tokens, &read)
+    })
 }
 
-/// Compiles the text of a model file, or prints what is wrong with it on stderr.
-pub fn compile(
-    name: &str,
+/// Compiles a model or a scene of the catalogue once more.
+pub fn compile_entry(entry: &Entry) -> Result<TokenStream, Failure> {
+    let (name, text) = (entry.name(), entry.source);
+    if entry.catalogued.description.scene.is_none() {
+        let tokens = read_source(text.as_bytes());
+        return compile(&format!("{name}.model"), text, tokens, &|tokens| {
+            residua_codegen::compile(name, tokens)
+        });
+    }
+    let read = |model: &str| match find(model) {
+        Ok(model) => Ok(model.source.to_owned()),
+        Err(unknown) => Err(format!("{unknown} in the catalogue")),
+    };
+    let tokens = read_scene(text.as_bytes());
+    compile(&format!("{name}.scene"), text, tokens, &|tokens| {
+        residua_codegen::compile_scene(name, tokens, &read)
+    })
+}
+
+/// Compiles the text of a file, or prints what is wrong with it on stderr.
+fn compile(
     shown: &str,
     text: &str,
     tokens: Result<TokenStream, SourceError>,
+    compiled: &dyn Fn(TokenStream) -> Result<TokenStream, Errors>,
 ) -> Result<TokenStream, Failure> {
     let tokens = tokens.map_err(|error| {
         let at = LineColumn {
@@ -39,7 +71,7 @@ pub fn compile(
         eprintln!("{shown}: 1 mistake, and the rest is not read");
         Failure::Reported(2)
     })?;
-    residua_codegen::compile(name, tokens).map_err(|errors| {
+    compiled(tokens).map_err(|errors| {
         let mistakes = errors.into_sorted();
         let count = match mistakes.len() {
             1 => "1 mistake".to_owned(),

@@ -1,17 +1,16 @@
 //! `residua expand`: the generated Rust.
 
-use crate::diagnose::{compile, compile_file};
+use crate::diagnose::{compile_entry, compile_file};
 use crate::failure::Failure;
 use clap::Args;
-use residua_codegen::source::read_source;
 use residua_models::find;
 use std::io::{self, Write};
 use std::path::Path;
 
-/// Print the Rust that is generated from a model
+/// Print the Rust that is generated from a model or a scene
 #[derive(Args)]
 pub struct Expand {
-    /// A model from `residua list`, or the path of a model file
+    /// A model or scene from `residua list`, or the path of its file
     model: String,
 }
 
@@ -20,12 +19,7 @@ impl Expand {
     pub fn run(self) -> Result<(), Failure> {
         let tokens = match as_path(&self.model) {
             Some(path) => compile_file(path)?,
-            None => {
-                let entry = find(&self.model)?;
-                let (name, text) = (entry.name(), entry.source);
-                let shown = format!("{name}.model");
-                compile(name, &shown, text, read_source(text.as_bytes()))?
-            }
+            None => compile_entry(find(&self.model)?)?,
         };
         let file = syn::parse2(tokens)
             .map_err(|error| Failure::Run(format!("the generated code is no Rust: {error}")))?;

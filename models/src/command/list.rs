@@ -5,14 +5,14 @@ use crate::failure::Failure;
 use crate::show::show;
 use crate::table::Table;
 use clap::Args;
-use residua_models::{CATALOGUE, find};
+use residua_models::{CATALOGUE, SCENES, find};
 use std::io::{self, Write};
 
-/// List the models, or show all about one
+/// List the models and scenes, or show all about one
 #[derive(Args)]
 #[command(visible_alias = "show")]
 pub struct List {
-    /// Show this model: parameters, states, equations, invariants, claims, operation counts
+    /// Show this model or scene: parameters, states, equations, invariants, claims, operation counts
     model: Option<String>,
     /// Print JSON
     #[arg(long)]
@@ -30,13 +30,16 @@ impl List {
                 false => Ok(show(&model, &mut out)?),
             };
         }
-        let models: Vec<Model> = CATALOGUE
-            .iter()
-            .map(|entry| describe(entry.catalogued))
-            .collect();
-        match self.json {
-            true => print_json(&models, &mut out),
-            false => Ok(write!(out, "{}", overview(&models))?),
+        let all = CATALOGUE.iter().chain(SCENES);
+        let all: Vec<Model> = all.map(|entry| describe(entry.catalogued)).collect();
+        if self.json {
+            return print_json(&all, &mut out);
+        }
+        let (scenes, models): (Vec<Model>, _) = all.into_iter().partition(|m| m.scene.is_some());
+        write!(out, "{}", overview(&models))?;
+        match scenes.is_empty() {
+            true => Ok(()),
+            false => Ok(write!(out, "\n{}", of_scenes(&scenes))?),
         }
     }
 }
@@ -52,9 +55,7 @@ fn overview(models: &[Model]) -> Table {
     for model in models {
         let states: Vec<&str> = model.states.iter().map(|state| state.name).collect();
         let forms: Vec<&str> = model.solvers.iter().map(|solver| solver.form).collect();
-        let unknowns = model.solvers.first().map_or(0, |solver| {
-            solver.unknowns.iter().map(|block| block.len).sum::<usize>()
-        });
+        let unknowns = n_unknowns(model);
         table.row([
             model.name.to_owned(),
             states.join(" "),
@@ -64,6 +65,31 @@ fn overview(models: &[Model]) -> Table {
         ]);
     }
     table
+}
+
+fn of_scenes(scenes: &[Model]) -> Table {
+    let mut table = Table::new(&[
+        "scene", "model", "step", "until", "unknowns", "keeps", "about",
+    ]);
+    for model in scenes {
+        let Some(scene) = &model.scene else { continue };
+        table.row([
+            model.name.to_owned(),
+            scene.model.to_owned(),
+            scene.step.to_string(),
+            scene.until.to_string(),
+            n_unknowns(model).to_string(),
+            scene.keep.join(" "),
+            first_paragraph(model.doc),
+        ]);
+    }
+    table
+}
+
+fn n_unknowns(model: &Model) -> usize {
+    model.solvers.first().map_or(0, |solver| {
+        solver.unknowns.iter().map(|block| block.len).sum::<usize>()
+    })
 }
 
 fn first_paragraph(doc: &str) -> String {

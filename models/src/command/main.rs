@@ -7,6 +7,7 @@ mod describe;
 mod diagnose;
 mod errata;
 mod expand;
+mod explain;
 mod expression;
 mod failure;
 mod list;
@@ -40,6 +41,7 @@ enum Verb {
     Simulate(simulate::Simulate),
     Sweep(sweep::Sweep),
     Check(check::Check),
+    Explain(explain::Explain),
     Errata(errata::Errata),
     Expand(expand::Expand),
     Report(report::Report),
@@ -52,6 +54,7 @@ fn main() -> ExitCode {
         Verb::Simulate(simulate) => simulate.run(),
         Verb::Sweep(sweep) => sweep.run(),
         Verb::Check(check) => check.run(),
+        Verb::Explain(explain) => explain.run(),
         Verb::Errata(errata) => errata.run(),
         Verb::Expand(expand) => expand.run(),
         Verb::Report(report) => report.run(),

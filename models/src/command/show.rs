@@ -1,6 +1,6 @@
 //! Everything about one model, for people.
 
-use crate::describe::{Block, Form, Model, Quantity};
+use crate::describe::{Block, Form, Model, Operations, Quantity};
 use crate::notation::{unit, value};
 use crate::table::Table;
 use residua_models::errata::title;
@@ -91,8 +91,25 @@ fn form(form: &Form, out: &mut impl Write) -> io::Result<()> {
         form.nonzeros,
         n * n
     )?;
-    let mut counts = Table::new(&["  operations", "+ −", "×", "÷", "functions"]);
-    for count in &form.operations {
+    write!(out, "{}", counted("  operations", &form.operations))?;
+    let Some(core) = &form.core else {
+        return Ok(());
+    };
+    let n: usize = core.unknowns.iter().map(|block| block.len).sum();
+    let blocks: Vec<&str> = core.unknowns.iter().map(|block| block.text).collect();
+    let (s, of) = (if n == 1 { "" } else { "s" }, blocks.join(", "));
+    writeln!(
+        out,
+        "  iterated on: {n} unknown{s} of {of}; Jacobian: {} of {} entries can differ from zero",
+        core.nonzeros,
+        n * n
+    )?;
+    write!(out, "{}", counted("  operations", &core.operations))
+}
+
+fn counted(title: &str, operations: &[Operations]) -> Table {
+    let mut counts = Table::new(&[title, "+ −", "×", "÷", "functions"]);
+    for count in operations {
         let numbers = [
             count.additions,
             count.multiplications,
@@ -102,5 +119,5 @@ fn form(form: &Form, out: &mut impl Write) -> io::Result<()> {
         let name = std::iter::once(format!("  {}", count.function));
         counts.row(name.chain(numbers.iter().map(ToString::to_string)));
     }
-    write!(out, "{counts}")
+    counts
 }

@@ -236,9 +236,12 @@ static DESCRIPTION: Description = Description {
         ],
         pattern: &[(0, 0), (0, 1), (1, 0), (1, 1)],
         counts: &[],
+        core: None,
     }],
     claims: &[],
     has_flow: true,
+    counts: &[],
+    scene: None,
 };
 
 const fn scalar(name: &'static str, unit: &'static str) -> Variable {

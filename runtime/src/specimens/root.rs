@@ -77,9 +77,12 @@ impl<P: Problem<N>, const N: usize> Model<f64> for Root<P, N> {
             }],
             pattern: &[],
             counts: &[],
+            core: None,
         }],
         claims: &[],
         has_flow: false,
+        counts: &[],
+        scene: None,
     };
     fn start(_parameters: &Flat<0>) -> Flat<N> {
         Flat::default()

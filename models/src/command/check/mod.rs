@@ -16,17 +16,17 @@ use order::Range;
 use report::{ClaimReport, ModelReport, RunReport, SolverReport};
 use residua::Catalogued;
 use residua::erased::AnySolver;
-use residua_models::{CATALOGUE, find};
+use residua_models::{CATALOGUE, SCENES, find};
 use std::io::{self, Write};
 
 /// Compare Jacobians with dual numbers and central differences, look for consistency, order and drift,
 /// and judge the claims
 #[derive(Args)]
 pub struct Check {
-    /// Models from `residua list`, or paths of model files, whose mistakes are then shown
+    /// Models and scenes from `residua list`, or paths of their files, whose mistakes are then shown
     #[arg(required_unless_present = "all")]
     models: Vec<String>,
-    /// Check every model
+    /// Check every model and scene
     #[arg(long, conflicts_with = "models")]
     all: bool,
     /// Step of the runs that orders are measured on; they are repeated with h/2 and h/4
@@ -66,7 +66,8 @@ impl Check {
             }
         }
         if self.all {
-            models.extend(CATALOGUE.iter().map(|entry| entry.catalogued));
+            let all = CATALOGUE.iter().chain(SCENES);
+            models.extend(all.map(|entry| entry.catalogued));
         }
         let mut out = io::stdout().lock();
         for path in sound_files {

@@ -51,7 +51,13 @@ impl Errata {
         };
         let mut entries = Vec::new();
         for name in &self.models {
-            entries.push(find(name)?);
+            let entry = find(name)?;
+            if let Some(scene) = entry.catalogued.description.scene {
+                let help = format!("`{}` is what it is a scene of", scene.model);
+                let message = format!("`{name}` is a scene, and claims are about models");
+                return Err(Failure::input_with_help(message, help));
+            }
+            entries.push(entry);
         }
         let all = entries.is_empty();
         if all {

@@ -17,7 +17,7 @@ use plan::{Plan, Scheme, plan};
 use recorder::Recorder;
 use residua::description::Description;
 use residua::erased::{Run, Sample};
-use residua::{Catalogued, Settings, Statistics};
+use residua::{Catalogued, Settings, Statistics, Strategy};
 use residua_models::find;
 use rows::Rows;
 use std::fs::File;
@@ -29,7 +29,7 @@ use trace::Trace;
 /// Run a model and write its states, observables and invariants
 #[derive(Args)]
 pub struct Simulate {
-    /// A model from `residua list`
+    /// A model or a scene from `residua list`
     model: String,
     /// Which discrete equations to solve: those for x[k+1] or those for Δx [default: the first the
     /// model has]
@@ -44,22 +44,12 @@ pub struct Simulate {
     /// Set a start value: `--start "ω=[0.5,-0.5,0.4]"`, `--start omega.x=pi/3`
     #[arg(long, value_name = "NAME=EXPR", value_parser = parse)]
     start: Vec<Assignment>,
-    /// Time step h
-    #[arg(
-        long,
-        value_name = "H",
-        default_value_t = 0.01,
-        allow_negative_numbers = true
-    )]
-    step: f64,
-    /// End time
-    #[arg(
-        long,
-        value_name = "T",
-        default_value_t = 10.0,
-        allow_negative_numbers = true
-    )]
-    until: f64,
+    /// Time step h [default: that of the scene, or 0.01]
+    #[arg(long, value_name = "H", allow_negative_numbers = true)]
+    step: Option<f64>,
+    /// End time [default: that of the scene, or 10]
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
+    until: Option<f64>,
     /// Keep every N-th step, and the last one
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
     every: u64,
@@ -71,6 +61,12 @@ pub struct Simulate {
         allow_negative_numbers = true
     )]
     tolerance: f64,
+    /// Which unknowns Newton's method iterates on; those that enter linearly need not be
+    #[arg(long, value_enum, default_value_t = StrategyName::Core)]
+    strategy: StrategyName,
+    /// Let the rounding of the sums of increments add up
+    #[arg(long)]
+    uncompensated: bool,
     /// File for the rows, as CSV [default: standard output, unless there is a --plot]
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
@@ -86,6 +82,23 @@ pub struct Simulate {
 enum SchemeName {
     Newton,
     Rk4,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum StrategyName {
+    /// Those that are left after elimination, and all where that fails
+    Core,
+    /// All
+    Full,
+}
+
+impl From<StrategyName> for Strategy {
+    fn from(name: StrategyName) -> Self {
+        match name {
+            StrategyName::Core => Strategy::Core,
+            StrategyName::Full => Strategy::Full,
+        }
+    }
 }
 
 impl Simulate {
@@ -113,7 +126,7 @@ impl Simulate {
         }
         if !self.quiet {
             if let Ok(statistics) = &outcome {
-                eprintln!("{}", pace(&plan, self.step, statistics, elapsed));
+                eprintln!("{}", pace(&plan, statistics, elapsed));
                 eprint!("{}", recorded.drift);
             }
             self.name_files(recorded.rows);
@@ -136,19 +149,21 @@ impl Simulate {
             .then(|| Trace::new(model.description, kept));
         let rows = out.map(|out| Rows::new(out, &header)).transpose()?;
         let hidden = self.quiet || (to_stdout && io::stdout().is_terminal());
-        Ok(Recorder::new(model, plan, self.step, rows, trace, !hidden))
+        Ok(Recorder::new(model, plan, rows, trace, !hidden))
     }
 
     fn advance(&self, plan: &Plan, recorder: &mut Recorder) -> Result<Statistics, Failure> {
         let run = Run {
             parameters: &plan.parameters,
             start: &plan.start,
-            h: self.step,
+            h: plan.step,
             t0: 0.0,
             steps: plan.steps,
             every: self.every,
             settings: Settings {
                 tolerance: self.tolerance,
+                strategy: self.strategy.into(),
+                compensated: !self.uncompensated,
                 ..Settings::default()
             },
         };
@@ -167,7 +182,7 @@ impl Simulate {
         };
         let pace = statistics.and_then(iterations);
         let set = self.set.iter().chain(&self.start).map(ToString::to_string);
-        let mut parts = vec![scheme, format!("h = {}", self.step)];
+        let mut parts = vec![scheme, format!("h = {}", plan.step)];
         parts.extend(pace);
         parts.extend(set);
         parts.join(" · ")
@@ -214,11 +229,18 @@ fn create(path: &Path) -> Result<File, Failure> {
 }
 
 /// `10000 steps of 0.01 to t = 100 in 12 ms, 3.02 iterations per step`
-fn pace(plan: &Plan, step: f64, statistics: &Statistics, elapsed: Duration) -> String {
-    let steps = plan.steps;
+fn pace(plan: &Plan, statistics: &Statistics, elapsed: Duration) -> String {
+    let Plan { steps, step, .. } = *plan;
     let end = notation::number(steps as f64 * step);
-    let iterations = iterations(statistics).map_or(String::new(), |text| format!(", {text}"));
-    format!("{steps} steps of {step} to t = {end} in {elapsed:.1?}{iterations}")
+    let mut text = format!("{steps} steps of {step} to t = {end} in {elapsed:.1?}");
+    if let Some(iterations) = iterations(statistics) {
+        text = format!("{text}, {iterations}");
+    }
+    match statistics.fallbacks {
+        0 => text,
+        1 => format!("{text}, 1 step with all unknowns, where the core could not be trusted"),
+        n => format!("{text}, {n} steps with all unknowns, where the core could not be trusted"),
+    }
 }
 
 fn iterations(statistics: &Statistics) -> Option<String> {

@@ -1,17 +1,21 @@
 //! From the options of `simulate` to a run that can start.
 
 use super::Simulate;
-use crate::assignment::{Target, assign};
+use crate::assignment::{Assignment, Target, assign};
 use crate::expression::Symbol;
 use crate::failure::Failure;
 use crate::notation::number;
 use crate::values;
 use residua::Catalogued;
-use residua::description::Variable;
+use residua::description::{Description, Variable};
 use residua::erased::{AnyFlow, AnySolver};
 
 /// More steps than this are taken for a mistake: at 100 ns a step they last a day.
 const MAX_STEPS: f64 = 1e12;
+
+/// Step and end where nobody says otherwise.
+const STEP: f64 = 0.01;
+const UNTIL: f64 = 10.0;
 
 /// How far `until / step` may fall short of a whole number for a run that is meant to end there.
 /// It covers the rounding of decimal steps, [steps].
@@ -25,6 +29,8 @@ pub struct Plan {
     pub parameters: Vec<f64>,
     /// Flat.
     pub start: Vec<f64>,
+    /// The time step.
+    pub step: f64,
     /// Number of steps.
     pub steps: u64,
     /// What the user should know before the run.
@@ -42,7 +48,11 @@ pub enum Scheme {
 
 /// Checks the options against the model.
 pub fn plan(options: &Simulate, model: &Catalogued) -> Result<Plan, Failure> {
-    let (steps, note) = steps(options.step, options.until)?;
+    let scene = model.description.scene;
+    let step = scene.map_or(STEP, |scene| scene.step);
+    let step = options.step.unwrap_or(step);
+    let until = scene.map_or(UNTIL, |scene| scene.until);
+    let (steps, note) = steps(step, options.until.unwrap_or(until))?;
     if !(options.tolerance > 0.0 && options.tolerance < 1.0) {
         let message = format!(
             "the tolerance is {}, not between 0 and 1",
@@ -55,6 +65,7 @@ pub fn plan(options: &Simulate, model: &Catalogued) -> Result<Plan, Failure> {
         scheme: scheme(options, model)?,
         parameters,
         start,
+        step,
         steps,
         note,
     })
@@ -123,6 +134,9 @@ pub fn solver(form: Option<&str>, model: &Catalogued) -> Result<&'static dyn Any
 /// Parameters and start values: those of the file, overwritten by `--set` and `--start`.
 fn values(options: &Simulate, model: &Catalogued) -> Result<(Vec<f64>, Vec<f64>), Failure> {
     let description = model.description;
+    for assignment in options.set.iter().chain(&options.start) {
+        refuse_skipped(assignment, description)?;
+    }
     let mut parameters = values::defaults(model);
     let defaults = symbols(description.parameters, &parameters);
     let target = Target {
@@ -147,6 +161,28 @@ fn values(options: &Simulate, model: &Catalogued) -> Result<(Vec<f64>, Vec<f64>)
         ))),
         None => Ok((parameters, start)),
     }
+}
+
+/// What a scene has folded in or left out cannot be given another value.
+fn refuse_skipped(assignment: &Assignment, description: &Description) -> Result<(), Failure> {
+    let Some(scene) = description.scene else {
+        return Ok(());
+    };
+    let is_meant = |name: &str| assignment.is_to(name);
+    let mut skipped = scene
+        .skipped
+        .iter()
+        .filter(|s| matches!(s.kind, "parameter" | "state"));
+    let Some(skipped) = skipped.find(|s| is_meant(s.what)) else {
+        return Ok(());
+    };
+    let (name, model) = (description.name, scene.model);
+    let gone = format!(
+        "the scene `{name}` does without `{}`: {}",
+        skipped.what, skipped.reason
+    );
+    let help = format!("`residua simulate {model}` runs the model with everything in it");
+    Err(Failure::input_with_help(gone, help))
 }
 
 /// The parameters under their names.

@@ -4,7 +4,7 @@ use super::drift::Drift;
 use super::plan::Plan;
 use super::rows::Rows;
 use super::trace::Trace;
-use crate::columns::{ordered_outputs, total};
+use crate::columns::{kept_states, ordered_outputs, size, total};
 use crate::failure::Failure;
 use indicatif::{ProgressBar, ProgressStyle};
 use residua::Catalogued;
@@ -19,6 +19,8 @@ pub struct Recorder {
     step: f64,
     /// Flat, in file order.
     outputs: Vec<f64>,
+    /// For each state column of a row, its position in the state.
+    states: Vec<usize>,
     /// For each output column of a row, its position in `outputs`.
     order: Vec<usize>,
     /// States, then outputs in the order of the columns.
@@ -45,7 +47,6 @@ impl Recorder {
     pub fn new(
         model: &'static Catalogued,
         plan: &Plan,
-        step: f64,
         rows: Option<Rows>,
         trace: Option<Trace>,
         progress_shown: bool,
@@ -53,16 +54,19 @@ impl Recorder {
         let placed = ordered_outputs(model.description);
         let range = |p: &crate::columns::Placed| p.offset..p.offset + total([p.variable]);
         let order: Vec<usize> = placed.iter().flat_map(range).collect();
+        let states = kept_states(model.description);
+        let states: Vec<usize> = states.flat_map(|(at, s)| at..at + size(s)).collect();
         Self {
             model,
             parameters: plan.parameters.clone(),
-            step,
+            step: plan.step,
             outputs: vec![0.0; order.len()],
-            row: Vec::with_capacity(plan.start.len() + order.len()),
+            row: Vec::with_capacity(states.len() + order.len()),
             order,
             rows,
             trace,
-            drift: Drift::new(placed, plan.start.len()),
+            drift: Drift::new(placed, states.len()),
+            states,
             progress: if progress_shown {
                 bar(plan.steps)
             } else {
@@ -79,7 +83,7 @@ impl Recorder {
             .model
             .outputs(&self.parameters, self.step, t, state, &mut self.outputs);
         self.row.clear();
-        self.row.extend_from_slice(state);
+        self.row.extend(self.states.iter().map(|&i| state[i]));
         self.row.extend(self.order.iter().map(|&i| self.outputs[i]));
         self.drift.take(&self.row);
         if let Some(trace) = &mut self.trace {

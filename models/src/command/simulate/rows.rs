@@ -11,7 +11,13 @@ pub struct Rows {
 impl Rows {
     /// Writes the header.
     pub fn new(mut out: Box<dyn Write>, header: &[String]) -> io::Result<Self> {
-        writeln!(out, "{}", header.join(","))?;
+        // The entry `R(2,1)` has a comma in its name.
+        let cell = |name: &String| match name.contains(',') {
+            true => format!("\"{name}\""),
+            false => name.clone(),
+        };
+        let cells: Vec<String> = header.iter().map(cell).collect();
+        writeln!(out, "{}", cells.join(","))?;
         Ok(Self { out, written: 0 })
     }
 

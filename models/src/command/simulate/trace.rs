@@ -3,7 +3,7 @@
 //! Rows are collected in bins of equal length. Of each bin and curve only the lowest and the highest
 //! point remain, so that oscillations keep their envelope however long the run is.
 
-use crate::columns::{ordered_outputs, size};
+use crate::columns::{kept_states, ordered_outputs, size};
 use crate::notation::{components, unit};
 use crate::plot::{Curve, MAX_CURVES, Panel};
 use residua::description::{Description, Variable};
@@ -65,7 +65,7 @@ impl Trace {
             rows_in_bin: rows_per_bin - 1,
         };
         let mut at = 0;
-        for state in description.states {
+        for (_, state) in kept_states(description) {
             trace.add(state, false, &mut at);
         }
         for output in ordered_outputs(description) {

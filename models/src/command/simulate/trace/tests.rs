@@ -18,6 +18,8 @@ static ONE_STATE: Description = Description {
     solvers: &[],
     claims: &[],
     has_flow: false,
+    counts: &[],
+    scene: None,
 };
 
 fn points(rows: u64, value: impl Fn(u64) -> f64) -> Vec<(f64, f64)> {
