@@ -108,6 +108,7 @@ pub use lanes::Lanes;
 pub use linear::Correctable;
 pub use linear::Solvable;
 pub use linear::SquareMatrix;
+pub use model::Cache;
 pub use model::Flow;
 pub use model::Model;
 pub use model::Record;

@@ -14,13 +14,21 @@ pub trait Record<T>: Copy {
     fn to_array(&self) -> Self::Array;
 }
 
+/// A fixed number of scalars that nobody else knows the names of.
+pub trait Cache<T>: Copy {
+    /// How many.
+    const LEN: usize;
+    /// Made of component 0, 1, ….
+    fn gather(from: impl Fn(usize) -> T) -> Self;
+    /// Hands out its components.
+    fn spread(&self, to: impl FnMut(usize, T));
+}
+
 /// Nothing.
-impl<T: Copy> Record<T> for () {
-    type Array = [T; 0];
-    fn from_array(_array: [T; 0]) -> Self {}
-    fn to_array(&self) -> [T; 0] {
-        []
-    }
+impl<T> Cache<T> for () {
+    const LEN: usize = 0;
+    fn gather(_from: impl Fn(usize) -> T) -> Self {}
+    fn spread(&self, _to: impl FnMut(usize, T)) {}
 }
 
 /// A model apart from its solvers. Implemented by the generated unit struct `Model`.
@@ -66,7 +74,7 @@ pub trait System<T: Scalar> {
     /// `[[T; n]; n]`, rows first.
     type Jacobian: Copy;
     /// What depends on the parameters and h only, computed once per run.
-    type Scene: Record<T>;
+    type Scene: Cache<T>;
     /// What depends on the known state and t besides, computed once per step.
     type Step: Copy;
     /// The same equations after unknowns that enter linearly are eliminated; `Self` where all are needed.

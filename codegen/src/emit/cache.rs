@@ -48,27 +48,27 @@ impl Cache {
         }
     }
 
-    /// Its `Record` implementation, by which lanes of trajectories keep it component by component.
-    pub(super) fn record(&self) -> TokenStream {
+    /// Its `Cache` implementation, by which lanes of trajectories keep it component by component: one line each, for
+    /// loops over many are not unrolled.
+    pub(super) fn components(&self) -> TokenStream {
         let name = &self.name;
         if self.fields.is_empty() {
             return TokenStream::new();
         }
         let n = whole(self.fields.len());
         let fields: Vec<_> = self.fields.iter().map(|f| &f.1).collect();
+        let positions: Vec<_> = (0..self.fields.len()).map(whole).collect();
         quote! {
-            impl<T: ::core::marker::Copy> ::residua::Record<T> for #name<T> {
-                type Array = [T; #n];
+            impl<T: ::core::marker::Copy> ::residua::Cache<T> for #name<T> {
+                const LEN: usize = #n;
 
                 #[inline(always)]
-                fn from_array([#(#fields),*]: [T; #n]) -> Self {
-                    Self { #(#fields),* }
+                fn gather(from: impl ::core::ops::Fn(usize) -> T) -> Self {
+                    Self { #(#fields: from(#positions)),* }
                 }
 
-                #[inline(always)]
-                fn to_array(&self) -> [T; #n] {
-                    let Self { #(#fields),* } = *self;
-                    [#(#fields),*]
+                fn spread(&self, mut to: impl ::core::ops::FnMut(usize, T)) {
+                    #(to(#positions, self.#fields);)*
                 }
             }
         }

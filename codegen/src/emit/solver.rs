@@ -98,7 +98,7 @@ fn system(
             .declare("What a step needs of the known state and t."),
     ];
     let (scene, step) = (context.scene.ty(), context.step.ty());
-    let record = context.scene.record();
+    let components = context.scene.components();
     let functions = [
         scene_function(&mut context),
         step_function(&mut context),
@@ -127,7 +127,7 @@ fn system(
         #allow
         mod #module {
             #(#caches)*
-            #record
+            #components
 
             impl<T: ::residua::Scalar> ::residua::System<T> for super::#name {
                 type Model = super::Model;

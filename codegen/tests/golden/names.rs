@@ -287,89 +287,48 @@ mod increment {
         two_r: T,
         Next_: T,
     }
-    impl<T: ::core::marker::Copy> ::residua::Record<T> for Scene<T> {
-        type Array = [T; 17];
+    impl<T: ::core::marker::Copy> ::residua::Cache<T> for Scene<T> {
+        const LEN: usize = 17;
         #[inline(always)]
-        fn from_array(
-            [two_M_11,
-            M_12,
-            two_M_12,
-            h,
-            h_a_x_type,
-            c1,
-            M_21,
-            two_M_21,
-            two_M_22,
-            two,
-            scene_over_None,
-            two_v1,
-            Model_,
-            c2,
-            c3,
-            two_h,
-            four_h,
-            ]: [T; 17],
-        ) -> Self {
+        fn gather(from: impl ::core::ops::Fn(usize) -> T) -> Self {
             Self {
-                two_M_11,
-                M_12,
-                two_M_12,
-                h,
-                h_a_x_type,
-                c1,
-                M_21,
-                two_M_21,
-                two_M_22,
-                two,
-                scene_over_None,
-                two_v1,
-                Model_,
-                c2,
-                c3,
-                two_h,
-                four_h,
+                two_M_11: from(0),
+                M_12: from(1),
+                two_M_12: from(2),
+                h: from(3),
+                h_a_x_type: from(4),
+                c1: from(5),
+                M_21: from(6),
+                two_M_21: from(7),
+                two_M_22: from(8),
+                two: from(9),
+                scene_over_None: from(10),
+                two_v1: from(11),
+                Model_: from(12),
+                c2: from(13),
+                c3: from(14),
+                two_h: from(15),
+                four_h: from(16),
             }
         }
-        #[inline(always)]
-        fn to_array(&self) -> [T; 17] {
-            let Self {
-                two_M_11,
-                M_12,
-                two_M_12,
-                h,
-                h_a_x_type,
-                c1,
-                M_21,
-                two_M_21,
-                two_M_22,
-                two,
-                scene_over_None,
-                two_v1,
-                Model_,
-                c2,
-                c3,
-                two_h,
-                four_h,
-            } = *self;
-            [
-                two_M_11,
-                M_12,
-                two_M_12,
-                h,
-                h_a_x_type,
-                c1,
-                M_21,
-                two_M_21,
-                two_M_22,
-                two,
-                scene_over_None,
-                two_v1,
-                Model_,
-                c2,
-                c3,
-                two_h,
-                four_h,
-            ]
+        fn spread(&self, mut to: impl ::core::ops::FnMut(usize, T)) {
+            to(0, self.two_M_11);
+            to(1, self.M_12);
+            to(2, self.two_M_12);
+            to(3, self.h);
+            to(4, self.h_a_x_type);
+            to(5, self.c1);
+            to(6, self.M_21);
+            to(7, self.two_M_21);
+            to(8, self.two_M_22);
+            to(9, self.two);
+            to(10, self.scene_over_None);
+            to(11, self.two_v1);
+            to(12, self.Model_);
+            to(13, self.c2);
+            to(14, self.c3);
+            to(15, self.two_h);
+            to(16, self.four_h);
         }
     }
     impl<T: ::residua::Scalar> ::residua::System<T> for super::Increment {
@@ -611,81 +570,44 @@ mod increment_core {
         s3: T,
         s4: T,
     }
-    impl<T: ::core::marker::Copy> ::residua::Record<T> for Scene<T> {
-        type Array = [T; 15];
+    impl<T: ::core::marker::Copy> ::residua::Cache<T> for Scene<T> {
+        const LEN: usize = 15;
         #[inline(always)]
-        fn from_array(
-            [h,
-            two,
-            scene_over_None,
-            two_v1,
-            Model_,
-            two_h,
-            four_h,
-            h_a_x_type,
-            c1,
-            c2,
-            c3,
-            c4,
-            two_M_12,
-            two_M_21,
-            c5,
-            ]: [T; 15],
-        ) -> Self {
+        fn gather(from: impl ::core::ops::Fn(usize) -> T) -> Self {
             Self {
-                h,
-                two,
-                scene_over_None,
-                two_v1,
-                Model_,
-                two_h,
-                four_h,
-                h_a_x_type,
-                c1,
-                c2,
-                c3,
-                c4,
-                two_M_12,
-                two_M_21,
-                c5,
+                h: from(0),
+                two: from(1),
+                scene_over_None: from(2),
+                two_v1: from(3),
+                Model_: from(4),
+                two_h: from(5),
+                four_h: from(6),
+                h_a_x_type: from(7),
+                c1: from(8),
+                c2: from(9),
+                c3: from(10),
+                c4: from(11),
+                two_M_12: from(12),
+                two_M_21: from(13),
+                c5: from(14),
             }
         }
-        #[inline(always)]
-        fn to_array(&self) -> [T; 15] {
-            let Self {
-                h,
-                two,
-                scene_over_None,
-                two_v1,
-                Model_,
-                two_h,
-                four_h,
-                h_a_x_type,
-                c1,
-                c2,
-                c3,
-                c4,
-                two_M_12,
-                two_M_21,
-                c5,
-            } = *self;
-            [
-                h,
-                two,
-                scene_over_None,
-                two_v1,
-                Model_,
-                two_h,
-                four_h,
-                h_a_x_type,
-                c1,
-                c2,
-                c3,
-                c4,
-                two_M_12,
-                two_M_21,
-                c5,
-            ]
+        fn spread(&self, mut to: impl ::core::ops::FnMut(usize, T)) {
+            to(0, self.h);
+            to(1, self.two);
+            to(2, self.scene_over_None);
+            to(3, self.two_v1);
+            to(4, self.Model_);
+            to(5, self.two_h);
+            to(6, self.four_h);
+            to(7, self.h_a_x_type);
+            to(8, self.c1);
+            to(9, self.c2);
+            to(10, self.c3);
+            to(11, self.c4);
+            to(12, self.two_M_12);
+            to(13, self.two_M_21);
+            to(14, self.c5);
         }
     }
     impl<T: ::residua::Scalar> ::residua::System<T> for super::IncrementCore {

@@ -182,16 +182,20 @@ mod next {
         Gamma_x: T,
         Gamma_y: T,
     }
-    impl<T: ::core::marker::Copy> ::residua::Record<T> for Scene<T> {
-        type Array = [T; 3];
+    impl<T: ::core::marker::Copy> ::residua::Cache<T> for Scene<T> {
+        const LEN: usize = 3;
         #[inline(always)]
-        fn from_array([two_J, h, h_m_g_l]: [T; 3]) -> Self {
-            Self { two_J, h, h_m_g_l }
+        fn gather(from: impl ::core::ops::Fn(usize) -> T) -> Self {
+            Self {
+                two_J: from(0),
+                h: from(1),
+                h_m_g_l: from(2),
+            }
         }
-        #[inline(always)]
-        fn to_array(&self) -> [T; 3] {
-            let Self { two_J, h, h_m_g_l } = *self;
-            [two_J, h, h_m_g_l]
+        fn spread(&self, mut to: impl ::core::ops::FnMut(usize, T)) {
+            to(0, self.two_J);
+            to(1, self.h);
+            to(2, self.h_m_g_l);
         }
     }
     impl<T: ::residua::Scalar> ::residua::System<T> for super::Next {
@@ -324,31 +328,26 @@ mod next_core {
         four_Gamma_x: T,
         sixteen_Gamma_y: T,
     }
-    impl<T: ::core::marker::Copy> ::residua::Record<T> for Scene<T> {
-        type Array = [T; 6];
+    impl<T: ::core::marker::Copy> ::residua::Cache<T> for Scene<T> {
+        const LEN: usize = 6;
         #[inline(always)]
-        fn from_array(
-            [h,
-            h_m_g_l,
-            four_h,
-            two_J,
-            h_squared,
-            two_h_squared,
-            ]: [T; 6],
-        ) -> Self {
+        fn gather(from: impl ::core::ops::Fn(usize) -> T) -> Self {
             Self {
-                h,
-                h_m_g_l,
-                four_h,
-                two_J,
-                h_squared,
-                two_h_squared,
+                h: from(0),
+                h_m_g_l: from(1),
+                four_h: from(2),
+                two_J: from(3),
+                h_squared: from(4),
+                two_h_squared: from(5),
             }
         }
-        #[inline(always)]
-        fn to_array(&self) -> [T; 6] {
-            let Self { h, h_m_g_l, four_h, two_J, h_squared, two_h_squared } = *self;
-            [h, h_m_g_l, four_h, two_J, h_squared, two_h_squared]
+        fn spread(&self, mut to: impl ::core::ops::FnMut(usize, T)) {
+            to(0, self.h);
+            to(1, self.h_m_g_l);
+            to(2, self.four_h);
+            to(3, self.two_J);
+            to(4, self.h_squared);
+            to(5, self.two_h_squared);
         }
     }
     impl<T: ::residua::Scalar> ::residua::System<T> for super::NextCore {
@@ -566,16 +565,20 @@ mod increment {
         Gamma_y: T,
         two_Gamma_y: T,
     }
-    impl<T: ::core::marker::Copy> ::residua::Record<T> for Scene<T> {
-        type Array = [T; 3];
+    impl<T: ::core::marker::Copy> ::residua::Cache<T> for Scene<T> {
+        const LEN: usize = 3;
         #[inline(always)]
-        fn from_array([two_J, h, h_m_g_l]: [T; 3]) -> Self {
-            Self { two_J, h, h_m_g_l }
+        fn gather(from: impl ::core::ops::Fn(usize) -> T) -> Self {
+            Self {
+                two_J: from(0),
+                h: from(1),
+                h_m_g_l: from(2),
+            }
         }
-        #[inline(always)]
-        fn to_array(&self) -> [T; 3] {
-            let Self { two_J, h, h_m_g_l } = *self;
-            [two_J, h, h_m_g_l]
+        fn spread(&self, mut to: impl ::core::ops::FnMut(usize, T)) {
+            to(0, self.two_J);
+            to(1, self.h);
+            to(2, self.h_m_g_l);
         }
     }
     impl<T: ::residua::Scalar> ::residua::System<T> for super::Increment {
@@ -724,44 +727,30 @@ mod increment_core {
         two_h_Gamma_y: T,
         four_h_Gamma_x: T,
     }
-    impl<T: ::core::marker::Copy> ::residua::Record<T> for Scene<T> {
-        type Array = [T; 8];
+    impl<T: ::core::marker::Copy> ::residua::Cache<T> for Scene<T> {
+        const LEN: usize = 8;
         #[inline(always)]
-        fn from_array(
-            [h,
-            h_m_g_l,
-            four_h,
-            J,
-            h_squared,
-            two_h_squared,
-            two_h_m_g_l,
-            two_h,
-            ]: [T; 8],
-        ) -> Self {
+        fn gather(from: impl ::core::ops::Fn(usize) -> T) -> Self {
             Self {
-                h,
-                h_m_g_l,
-                four_h,
-                J,
-                h_squared,
-                two_h_squared,
-                two_h_m_g_l,
-                two_h,
+                h: from(0),
+                h_m_g_l: from(1),
+                four_h: from(2),
+                J: from(3),
+                h_squared: from(4),
+                two_h_squared: from(5),
+                two_h_m_g_l: from(6),
+                two_h: from(7),
             }
         }
-        #[inline(always)]
-        fn to_array(&self) -> [T; 8] {
-            let Self {
-                h,
-                h_m_g_l,
-                four_h,
-                J,
-                h_squared,
-                two_h_squared,
-                two_h_m_g_l,
-                two_h,
-            } = *self;
-            [h, h_m_g_l, four_h, J, h_squared, two_h_squared, two_h_m_g_l, two_h]
+        fn spread(&self, mut to: impl ::core::ops::FnMut(usize, T)) {
+            to(0, self.h);
+            to(1, self.h_m_g_l);
+            to(2, self.four_h);
+            to(3, self.J);
+            to(4, self.h_squared);
+            to(5, self.two_h_squared);
+            to(6, self.two_h_m_g_l);
+            to(7, self.two_h);
         }
     }
     impl<T: ::residua::Scalar> ::residua::System<T> for super::IncrementCore {

@@ -21,6 +21,7 @@ use crate::error::InvalidRun;
 use crate::error::StepError;
 use crate::lanes::Lanes;
 use crate::linear::Solvable;
+use crate::model::Cache;
 use crate::model::Model;
 use crate::model::Record;
 use crate::model::System;
@@ -155,9 +156,8 @@ impl<S: Wide + 'static> Kernel for Emitted<S> {
     fn sizes(&self) -> Sizes {
         let parameters = <<S as System<f64>>::Model as Model<f64>>::Parameters::default();
         let state = <<S as System<f64>>::Model as Model<f64>>::start(&parameters);
-        let scene = Core::<S, f64>::scene(&parameters, 1.0);
         Sizes {
-            scene: scene.to_array().as_ref().len(),
+            scene: <Core<S, f64> as System<f64>>::Scene::LEN,
             state: state.to_array().as_ref().len(),
             parameters: parameters.to_array().as_ref().len(),
             unknowns: Core::<S, f64>::zeros().0.as_ref().len(),
@@ -174,8 +174,7 @@ impl<S: Wide + 'static> Kernel for Emitted<S> {
 
     fn scene(&self, parameters: &[f64], h: f64, out: &mut [f64]) {
         let parameters = self::parameters::<<S as System<f64>>::Model, f64>(parameters);
-        let scene = Core::<S, f64>::scene(&parameters, h).to_array();
-        out.copy_from_slice(scene.as_ref());
+        Core::<S, f64>::scene(&parameters, h).spread(|i, value| out[i] = value);
     }
 
     fn correct(&self, arch: Arch, start: Start, landing: Landing) -> bool {
@@ -267,7 +266,6 @@ fn correct<C: System<Lanes<N>>, const N: usize>(
 ) -> bool {
     // Only to say how many components there are.
     let parameters = <C::Model as Model<Lanes<N>>>::Parameters::default();
-    let scenes = C::scene(&parameters, Lanes::constant(1.0)).to_array();
     let states = C::Model::start(&parameters).to_array();
     let (unknowns, _) = C::zeros();
 
@@ -277,10 +275,10 @@ fn correct<C: System<Lanes<N>>, const N: usize>(
     let n = states.as_ref().len();
     let (state, losses) = (&state[..n], &losses[..n]);
     let (next, lost) = (&mut next[..n], &mut lost[..n]);
-    let scene = &scene[..scenes.as_ref().len()];
+    let scene = &scene[..C::Scene::LEN];
     let mut open = 0;
     for i in 0..WIDTH / N {
-        let scene = C::Scene::from_array(columns(scenes, scene, i));
+        let scene = C::Scene::gather(|j| lanes(&scene[j], i));
         let known = columns(states, state, i);
         let step = C::step(&scene, Lanes::constant(t), &known);
         let guess = C::guess(&scene, &step);

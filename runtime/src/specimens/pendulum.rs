@@ -3,6 +3,7 @@
 // invariance, angle and rate are in units that the parameters choose: θ = u x₀ and ω = v x₁.
 // Crate-level paths, so that integration tests and doc tests can include it.
 
+use residua::Cache;
 use residua::Catalogued;
 use residua::Flow;
 use residua::Record;
@@ -129,15 +130,20 @@ pub struct Scene<T> {
     parameters: Parameters<T>,
 }
 
-impl<T: Scalar> Record<T> for Scene<T> {
-    type Array = [T; 4];
-    fn from_array([h, c, u, v]: [T; 4]) -> Self {
-        let parameters = Parameters { c, unit: [u, v] };
+impl<T: Scalar> Cache<T> for Scene<T> {
+    const LEN: usize = 4;
+    #[inline(always)]
+    fn gather(from: impl Fn(usize) -> T) -> Self {
+        let (c, unit) = (from(1), [from(2), from(3)]);
+        let parameters = Parameters { c, unit };
+        let h = from(0);
         Self { h, parameters }
     }
-    fn to_array(&self) -> [T; 4] {
+    fn spread(&self, mut to: impl FnMut(usize, T)) {
         let Parameters { c, unit: [u, v] } = self.parameters;
-        [self.h, c, u, v]
+        for (i, value) in [self.h, c, u, v].into_iter().enumerate() {
+            to(i, value);
+        }
     }
 }
 
