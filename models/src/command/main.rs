@@ -2,6 +2,7 @@
 //! went well, 1 if a run or a check failed, 2 for bad usage or input.
 
 mod assignment;
+mod bench;
 mod check;
 mod describe;
 mod diagnose;
@@ -41,6 +42,7 @@ enum Verb {
     Simulate(simulate::Simulate),
     Sweep(sweep::Sweep),
     Check(check::Check),
+    Bench(bench::Bench),
     Explain(explain::Explain),
     Errata(errata::Errata),
     Expand(expand::Expand),
@@ -54,6 +56,7 @@ fn main() -> ExitCode {
         Verb::Simulate(simulate) => simulate.run(),
         Verb::Sweep(sweep) => sweep.run(),
         Verb::Check(check) => check.run(),
+        Verb::Bench(bench) => bench.run(),
         Verb::Explain(explain) => explain.run(),
         Verb::Errata(errata) => errata.run(),
         Verb::Expand(expand) => expand.run(),

@@ -48,11 +48,7 @@ pub enum Scheme {
 
 /// Checks the options against the model.
 pub fn plan(options: &Simulate, model: &Catalogued) -> Result<Plan, Failure> {
-    let scene = model.description.scene;
-    let step = scene.map_or(STEP, |scene| scene.step);
-    let step = options.step.unwrap_or(step);
-    let until = scene.map_or(UNTIL, |scene| scene.until);
-    let (steps, note) = steps(step, options.until.unwrap_or(until))?;
+    let Span { step, steps, note } = span(model, options.step, options.until)?;
     if !(options.tolerance > 0.0 && options.tolerance < 1.0) {
         let message = format!(
             "the tolerance is {}, not between 0 and 1",
@@ -71,8 +67,21 @@ pub fn plan(options: &Simulate, model: &Catalogued) -> Result<Plan, Failure> {
     })
 }
 
-/// Checks step and end time; returns the number of steps, and what is to be said about the last one.
-pub fn steps(step: f64, until: f64) -> Result<(u64, Option<String>), Failure> {
+/// Step and end of a run.
+pub struct Span {
+    /// The time step.
+    pub step: f64,
+    /// Number of steps.
+    pub steps: u64,
+    /// What is to be said about the last one.
+    pub note: Option<String>,
+}
+
+/// Step and end as asked for, or as the scene has them, checked.
+pub fn span(model: &Catalogued, step: Option<f64>, until: Option<f64>) -> Result<Span, Failure> {
+    let scene = model.description.scene;
+    let step = step.unwrap_or_else(|| scene.map_or(STEP, |scene| scene.step));
+    let until = until.unwrap_or_else(|| scene.map_or(UNTIL, |scene| scene.until));
     if !(step.is_finite() && step > 0.0) {
         return Err(Failure::input(format!(
             "the step is {step}, not a positive number"
@@ -96,7 +105,11 @@ pub fn steps(step: f64, until: f64) -> Result<(u64, Option<String>), Failure> {
     let whole = (ratio - steps).abs() <= END_TOLERANCE * ratio.max(1.0);
     let end = number(steps * step);
     let note = format!("{until} is no multiple of the step {step}: the run ends at t = {end}");
-    Ok((steps as u64, (!whole).then_some(note)))
+    Ok(Span {
+        step,
+        steps: steps as u64,
+        note: (!whole).then_some(note),
+    })
 }
 
 fn scheme(options: &Simulate, model: &Catalogued) -> Result<Scheme, Failure> {

@@ -6,7 +6,7 @@ mod table;
 
 use crate::assignment::{Assignment, Target, assign, parse};
 use crate::failure::Failure;
-use crate::simulate::plan::{solver, steps, symbols};
+use crate::simulate::plan::{Span, solver, span, symbols};
 use crate::values;
 use clap::Args;
 use grid::Grid;
@@ -46,22 +46,12 @@ pub struct Sweep {
     /// Set a start value, as in `simulate`
     #[arg(long, value_name = "NAME=EXPR", value_parser = parse)]
     start: Vec<Assignment>,
-    /// Time step h
-    #[arg(
-        long,
-        value_name = "H",
-        default_value_t = 0.01,
-        allow_negative_numbers = true
-    )]
-    step: f64,
-    /// End time
-    #[arg(
-        long,
-        value_name = "T",
-        default_value_t = 10.0,
-        allow_negative_numbers = true
-    )]
-    until: f64,
+    /// Time step h [default: that of the scene, or 0.01]
+    #[arg(long, value_name = "H", allow_negative_numbers = true)]
+    step: Option<f64>,
+    /// End time [default: that of the scene, or 10]
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
+    until: Option<f64>,
     /// Keep the start, every N-th step and the end [default: the end only]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     every: Option<u64>,
@@ -80,7 +70,7 @@ impl Sweep {
     /// Runs the trajectories.
     pub fn run(self) -> Result<(), Failure> {
         let model = find(&self.model)?.catalogued;
-        let (steps, note) = steps(self.step, self.until)?;
+        let Span { step, steps, note } = span(model, self.step, self.until)?;
         let solver = solver(self.form.as_deref(), model)?;
         let parameters = self.parameters(model)?;
         let axes = axes(&self.over, model.description, &parameters)?;
@@ -94,7 +84,7 @@ impl Sweep {
             .num_threads(self.threads.map_or(0, usize::from))
             .build()
             .map_err(|error| Failure::Run(format!("cannot start threads: {error}")))?;
-        let mut table = Table::new(&grid, self.step, self.destination()?)?;
+        let mut table = Table::new(&grid, step, self.destination()?)?;
         let clock = Instant::now();
         let progress = self.bar(count);
         let groups = (KEPT_ROWS / per_trajectory) as usize / WIDTH;
@@ -103,7 +93,7 @@ impl Sweep {
         for first in (0..count).step_by(chunk) {
             let trajectories = first..count.min(first + chunk);
             let shelf = Shelf::new(first, trajectories.len());
-            let fly = || self.fly(&grid, solver, steps, trajectories, &shelf);
+            let fly = || self.fly(&grid, solver, (step, steps), trajectories, &shelf);
             let outcomes = threads.install(fly)?;
             failed.take(&outcomes);
             progress.inc(outcomes.len() as u64);
@@ -165,7 +155,7 @@ impl Sweep {
         &self,
         grid: &Grid<'_>,
         solver: &dyn AnySolver,
-        steps: u64,
+        (h, steps): (f64, u64),
         trajectories: Range<usize>,
         shelf: &Shelf,
     ) -> Result<Vec<Outcome>, Failure> {
@@ -176,7 +166,7 @@ impl Sweep {
         let fleet = Fleet {
             trajectories,
             fill: &fill,
-            h: self.step,
+            h,
             t0: 0.0,
             steps,
             every: self.every.unwrap_or(0),
