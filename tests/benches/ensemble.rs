@@ -4,7 +4,6 @@
 //! All trajectories start differently, so that nothing can be computed once for several. Both sides run the same ones,
 //! and their end states are compared before anything is timed.
 
-use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use nalgebra::{Const, DimMin};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use residua::erased::Sample;
@@ -88,7 +87,7 @@ where
 }
 
 /// Times the generated solver `S` and the form `F`, which must be the same equations.
-fn compare<S: Wide + 'static, F: Form<M, N>, const M: usize, const N: usize>(c: &mut Criterion)
+fn compare<S: Wide + 'static, F: Form<M, N>, const M: usize, const N: usize>(rounds: usize)
 where
     Const<N>: DimMin<Const<N>, Output = Const<N>>,
 {
@@ -102,42 +101,44 @@ where
         assert!((a - b).abs() <= AGREEMENT, "{}: {a} and {b}", F::MODEL);
     }
     let pace = |count: usize, run: &dyn Fn()| {
-        let once = || {
-            let clock = Instant::now();
-            run();
-            clock.elapsed().as_secs_f64() * 1e9 / (count as f64 * STEPS as f64)
-        };
-        (0..5).map(|_| once()).fold(f64::INFINITY, f64::min)
+        let clock = Instant::now();
+        run();
+        clock.elapsed().as_secs_f64() * 1e9 / (count as f64 * STEPS as f64)
     };
-    let lanes = pace(TRAJECTORIES, &|| drop(black_box(ensemble::<S>(&pool))));
-    let nalgebra = pace(OF_RIVAL, &|| drop(black_box(rival::<S, F, M, N>(OF_RIVAL))));
+    // In turns, so that a slow moment of the machine is one for both.
+    let (mut lanes, mut nalgebra) = (Vec::new(), Vec::new());
+    for _ in 0..rounds {
+        lanes.push(pace(TRAJECTORIES, &|| {
+            drop(black_box(ensemble::<S>(&pool)))
+        }));
+        nalgebra.push(pace(OF_RIVAL, &|| {
+            drop(black_box(rival::<S, F, M, N>(OF_RIVAL)))
+        }));
+    }
+    let [lanes, nalgebra] = [lanes, nalgebra].map(|mut paces| {
+        paces.sort_by(f64::total_cmp);
+        paces[paces.len() / 2]
+    });
     println!(
         "{} {}: {lanes:.2} ns in lanes, {nalgebra:.0} ns by nalgebra, {:.0} times",
         F::MODEL,
         F::FORM,
         nalgebra / lanes
     );
-
-    let mut group = c.benchmark_group(format!("ensemble {} {}", F::MODEL, F::FORM));
-    group.throughput(Throughput::Elements(STEPS * TRAJECTORIES as u64));
-    group.bench_function("lanes", |b| b.iter(|| ensemble::<S>(&pool)));
-    group.throughput(Throughput::Elements(STEPS * OF_RIVAL as u64));
-    group.bench_function("nalgebra", |b| b.iter(|| rival::<S, F, M, N>(OF_RIVAL)));
-    group.finish();
 }
 
-fn planar(c: &mut Criterion) {
-    compare::<models::planar_angle::Increment, planar_angle::Increment, 2, 2>(c);
-    compare::<models::planar_reduced::Next, planar_reduced::Next, 3, 3>(c);
-    compare::<models::planar_reduced::Increment, planar_reduced::Increment, 3, 3>(c);
-    compare::<models::planar_group::Increment, planar_group::Increment, 5, 5>(c);
+fn main() {
+    // Cargo passes `--bench`, and tests of benches nothing: then a round is enough.
+    let rounds = if std::env::args().any(|a| a == "--bench") {
+        11
+    } else {
+        1
+    };
+    compare::<models::planar_angle::Increment, planar_angle::Increment, 2, 2>(rounds);
+    compare::<models::planar_reduced::Next, planar_reduced::Next, 3, 3>(rounds);
+    compare::<models::planar_reduced::Increment, planar_reduced::Increment, 3, 3>(rounds);
+    compare::<models::planar_group::Increment, planar_group::Increment, 5, 5>(rounds);
+    compare::<models::spatial_reduced::Increment, spatial_reduced::Increment, 6, 6>(rounds);
+    compare::<models::spatial_group::Increment, spatial_group::Increment, 12, 12>(rounds);
+    compare::<models::spatial_cardan::Increment, spatial_cardan::Increment, 6, 6>(rounds);
 }
-
-fn spatial(c: &mut Criterion) {
-    compare::<models::spatial_reduced::Increment, spatial_reduced::Increment, 6, 6>(c);
-    compare::<models::spatial_group::Increment, spatial_group::Increment, 12, 12>(c);
-    compare::<models::spatial_cardan::Increment, spatial_cardan::Increment, 6, 6>(c);
-}
-
-criterion_group!(benches, planar, spatial);
-criterion_main!(benches);
