@@ -43,8 +43,8 @@ impl<'a> Grid<'a> {
 
     /// Number of trajectories; `None` if it is beyond counting.
     pub fn len(&self) -> Option<usize> {
-        let counts = self.axes.iter().map(|axis| axis.count);
-        counts.fold(Some(1), |product, count| product?.checked_mul(count))
+        let mut counts = self.axes.iter().map(|axis| axis.count);
+        counts.try_fold(1_usize, |product, count| product.checked_mul(count))
     }
 
     /// The swept values of a trajectory.
