@@ -71,8 +71,9 @@ impl<S: Correctable<T>, T: Real> Solver<S, T> {
         let (x, report) = self
             .newton
             .solve(scene, &step, state.as_ref(), statistics)?;
-        // Not `growth > MOST_GROWTH`, which would trust NaN.
-        if !(S::growth(scene, &step, &x) <= T::constant(MOST_GROWTH)) {
+        // False for NaN.
+        let is_trusted = S::growth(scene, &step, &x) <= T::constant(MOST_GROWTH);
+        if !is_trusted {
             return Err(self.newton.fault(Failure::Singular));
         }
         if S::HAS_CHANGE && self.newton.settings.compensated {

@@ -82,6 +82,10 @@ pub fn span(model: &Catalogued, step: Option<f64>, until: Option<f64>) -> Result
     let scene = model.description.scene;
     let step = step.unwrap_or_else(|| scene.map_or(STEP, |scene| scene.step));
     let until = until.unwrap_or_else(|| scene.map_or(UNTIL, |scene| scene.until));
+    steps(step, until)
+}
+
+fn steps(step: f64, until: f64) -> Result<Span, Failure> {
     if !(step.is_finite() && step > 0.0) {
         return Err(Failure::input(format!(
             "the step is {step}, not a positive number"

@@ -3,16 +3,16 @@ use super::steps;
 #[test]
 fn decimal_steps_are_counted_as_meant() {
     for (step, until, expected) in [(0.1, 0.3, 3), (0.01, 100.0, 10_000), (1e-3, 50.0, 50_000)] {
-        let (count, note) = steps(step, until).unwrap();
-        assert_eq!((count, note), (expected, None), "{step} {until}");
+        let span = steps(step, until).unwrap();
+        assert_eq!((span.steps, span.note), (expected, None), "{step} {until}");
     }
 }
 
 #[test]
 fn an_end_between_two_steps_is_announced() {
-    let (count, note) = steps(0.3, 1.0).unwrap();
-    assert_eq!(count, 3);
-    assert!(note.unwrap().contains("ends at t = 0.9"));
+    let span = steps(0.3, 1.0).unwrap();
+    assert_eq!(span.steps, 3);
+    assert!(span.note.unwrap().contains("ends at t = 0.9"));
 }
 
 #[test]
