@@ -174,6 +174,22 @@ mod increment {
         Gamma_y: T,
         two_Gamma_y: T,
     }
+    impl<T: ::core::marker::Copy> ::residua::Cache<T> for Scene<T> {
+        const LEN: usize = 3;
+        #[inline(always)]
+        fn gather(from: impl ::core::ops::Fn(usize) -> T) -> Self {
+            Self {
+                two_J: from(0),
+                h: from(1),
+                c5_886_h_m: from(2),
+            }
+        }
+        fn spread(&self, mut to: impl ::core::ops::FnMut(usize, T)) {
+            to(0, self.two_J);
+            to(1, self.h);
+            to(2, self.c5_886_h_m);
+        }
+    }
     impl<T: ::residua::Scalar> ::residua::System<T> for super::Increment {
         type Model = super::Model;
         type Unknowns = [T; 3];
@@ -198,6 +214,7 @@ mod increment {
             }
         }
         /// Once per step: 3 multiplications.
+        #[inline(always)]
         fn step(_scene: &Scene<T>, _t: T, state: &[T; 3]) -> Step<T> {
             let [omega, Gamma_x, Gamma_y] = *state;
             let two = T::constant(2.0);
@@ -210,6 +227,7 @@ mod increment {
                 two_Gamma_y: two * Gamma_y,
             }
         }
+        #[inline(always)]
         fn guess(_scene: &Scene<T>, _step: &Step<T>) -> [T; 3] {
             let zero = T::constant(0.0);
             [zero, zero, zero]
@@ -263,7 +281,7 @@ mod increment {
             jacobian[2][2] = four;
         }
         /// The state after the step: 3 additions.
-        #[inline]
+        #[inline(always)]
         fn next(_scene: &Scene<T>, step: &Step<T>, unknowns: &[T; 3]) -> [T; 3] {
             let Step { Gamma_x, omega, Gamma_y, .. } = *step;
             let [Delta_omega, Delta_Gamma_x, Delta_Gamma_y] = *unknowns;
@@ -271,7 +289,7 @@ mod increment {
         }
         const HAS_CHANGE: bool = true;
         /// What the step adds to the state: no operations.
-        #[inline]
+        #[inline(always)]
         fn change(_scene: &Scene<T>, _step: &Step<T>, unknowns: &[T; 3]) -> [T; 3] {
             let [Delta_omega, Delta_Gamma_x, Delta_Gamma_y] = *unknowns;
             [Delta_omega, Delta_Gamma_x, Delta_Gamma_y]
@@ -318,6 +336,32 @@ mod increment_core {
         two_h_Gamma_y: T,
         four_h_Gamma_x: T,
     }
+    impl<T: ::core::marker::Copy> ::residua::Cache<T> for Scene<T> {
+        const LEN: usize = 8;
+        #[inline(always)]
+        fn gather(from: impl ::core::ops::Fn(usize) -> T) -> Self {
+            Self {
+                h: from(0),
+                c11_772_h_m: from(1),
+                four_h: from(2),
+                two_J: from(3),
+                h_squared: from(4),
+                two_h_squared: from(5),
+                c23_544_h_m: from(6),
+                two_h: from(7),
+            }
+        }
+        fn spread(&self, mut to: impl ::core::ops::FnMut(usize, T)) {
+            to(0, self.h);
+            to(1, self.c11_772_h_m);
+            to(2, self.four_h);
+            to(3, self.two_J);
+            to(4, self.h_squared);
+            to(5, self.two_h_squared);
+            to(6, self.c23_544_h_m);
+            to(7, self.two_h);
+        }
+    }
     impl<T: ::residua::Scalar> ::residua::System<T> for super::IncrementCore {
         type Model = super::Model;
         type Unknowns = [T; 1];
@@ -355,6 +399,7 @@ mod increment_core {
             }
         }
         /// Once per step: 6 multiplications.
+        #[inline(always)]
         fn step(scene: &Scene<T>, _t: T, state: &[T; 3]) -> Step<T> {
             let Scene { c11_772_h_m, four_h, h_squared, two_h, .. } = *scene;
             let [omega, Gamma_x, Gamma_y] = *state;
@@ -371,6 +416,7 @@ mod increment_core {
                 four_h_Gamma_x: four_h * Gamma_x,
             }
         }
+        #[inline(always)]
         fn guess(_scene: &Scene<T>, _step: &Step<T>) -> [T; 1] {
             let zero = T::constant(0.0);
             [zero]
@@ -428,7 +474,7 @@ mod increment_core {
         }
         const HAS_CORRECTION: bool = true;
         /// J(x)⁻¹ r(x) in closed form, and the growth of rounding in it: 8 additions, 12 multiplications, 1 division.
-        #[inline]
+        #[inline(always)]
         fn correction(
             scene: &Scene<T>,
             step: &Step<T>,
@@ -458,7 +504,7 @@ mod increment_core {
             ([(v1 + v3 * v4) / v5], zero)
         }
         /// The state after the step: 7 additions, 10 multiplications, 1 division.
-        #[inline]
+        #[inline(always)]
         fn next(scene: &Scene<T>, step: &Step<T>, unknowns: &[T; 1]) -> [T; 3] {
             let Scene { h, .. } = *scene;
             let Step {
@@ -482,7 +528,7 @@ mod increment_core {
         }
         const HAS_CHANGE: bool = true;
         /// What the step adds to the state: 4 additions, 10 multiplications, 1 division.
-        #[inline]
+        #[inline(always)]
         fn change(scene: &Scene<T>, step: &Step<T>, unknowns: &[T; 1]) -> [T; 3] {
             let Scene { h, .. } = *scene;
             let Step {
@@ -504,6 +550,7 @@ mod increment_core {
             [Delta_omega, two * v7, -two * v8]
         }
         /// Σ|terms|/|Σ terms| over the divisors: no operations.
+        #[inline(always)]
         fn growth(_scene: &Scene<T>, _step: &Step<T>, _unknowns: &[T; 1]) -> T {
             let zero = T::constant(0.0);
             zero
