@@ -56,8 +56,23 @@ fn size(values: &[f64]) -> f64 {
     values.iter().fold(1.0, |size, v| size.max(v.abs()))
 }
 
-/// Over ten thousand steps both accumulate rounding in their own way: ε a step, in rates that an error grows in
-/// proportion to time with, and Newton's tolerance of 1e-12 now and then.
+/// The largest difference of two runs, the second one's components being picked, relative to its states; infinite where
+/// one is no number.
+fn furthest(found: &[Vec<f64>], expected: &[Vec<f64>], picked: &[usize]) -> f64 {
+    let mut worst: f64 = 0.0;
+    for (found, expected) in found.iter().zip(expected) {
+        let expected: Vec<f64> = picked.iter().map(|&i| expected[i]).collect();
+        for (a, b) in found.iter().zip(&expected) {
+            let off = (a - b).abs() / size(&expected);
+            worst = worst.max(if off.is_nan() { f64::INFINITY } else { off });
+        }
+    }
+    worst
+}
+
+/// Over ten thousand steps both accumulate rounding in their own way, up to ε a step at worst, and the motion magnifies it:
+/// about the middle axis of a free body exponentially. How far that leads is seen on the model itself, from a start that is
+/// 16 ε off; ten thousand random roundings are a hundred of one.
 #[test]
 fn scenes_take_the_steps_of_their_models() {
     assert!(SCENES.len() >= 5);
@@ -69,14 +84,16 @@ fn scenes_take_the_steps_of_their_models() {
         let expected = case.states(solver(case.model, form), h, STEPS);
         let found = Case::of_file(scene).states(scene.solvers[0], h, STEPS);
         assert_eq!(found.len(), expected.len());
-        let mut worst: f64 = 0.0;
-        for (found, expected) in found.iter().zip(&expected) {
-            let expected: Vec<f64> = own.iter().map(|&i| expected[i]).collect();
-            let off = found.iter().zip(&expected).map(|(a, b)| (a - b).abs());
-            worst = worst.max(off.fold(0.0, f64::max) / size(&expected));
+        let mut moved = case;
+        for x in &mut moved.start {
+            *x *= 1.0 + 16.0 * f64::EPSILON;
         }
-        eprintln!("{}: {worst:e}", entry.name());
-        assert!(worst <= 1e-9, "{}: {worst:e}", entry.name());
+        let moved = moved.states(solver(moved.model, form), h, STEPS);
+        let all: Vec<usize> = (0..expected[0].len()).collect();
+        let worst = furthest(&found, &expected, &own);
+        let bound = 1e-11 + 10.0 * furthest(&moved, &expected, &all);
+        eprintln!("{}: {worst:e} of {bound:e}", entry.name());
+        assert!(worst <= bound, "{}: {worst:e} of {bound:e}", entry.name());
     }
 }
 

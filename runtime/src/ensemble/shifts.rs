@@ -173,7 +173,10 @@ impl NullaryFnOnce for Missed<'_> {
         for (u, scale) in self.scales.iter().enumerate() {
             let mut differences = [all(0.0); DIFFERENCES];
             for (j, row) in differences.iter_mut().enumerate() {
-                *row = self.shifts.ago(j + 1)[u];
+                // 0/0 for an unknown that has been nothing but 0, and no larger than anything.
+                for i in 0..WIDTH {
+                    row[i] = self.shifts.ago(j + 1)[u][i] / scale[i];
+                }
             }
             for (order, most) in most.iter_mut().enumerate() {
                 for j in 0..DIFFERENCES - order - 1 {
@@ -184,8 +187,7 @@ impl NullaryFnOnce for Missed<'_> {
                 }
                 for difference in &differences[..COMPARED] {
                     for i in 0..WIDTH {
-                        // 0/0 for an unknown that has been nothing but 0 is no larger than anything.
-                        let missed = difference[i].abs() / scale[i];
+                        let missed = difference[i].abs();
                         most[i] = if missed > most[i] { missed } else { most[i] };
                     }
                 }
