@@ -121,6 +121,39 @@ fn who_fails_has_a_row_that_says_so() {
 }
 
 #[test]
+fn a_scene_is_swept_as_it_is_simulated() {
+    let row = |line: &str| table(&succeed(line).stdout).1.pop().expect("a row");
+    // Its own step and end, and the columns that it keeps.
+    let swept = row("sweep paper_recursive --over start.ω.x=0..0.5:2");
+    let simulated = row("simulate paper_recursive --start ω.x=0.5 --every 100000");
+    let n = simulated.len();
+    for (a, b) in numbers(&swept, 1, n + 1)
+        .iter()
+        .zip(numbers(&simulated, 0, n))
+    {
+        // Rounding, grown over the 100 s of a motion that magnifies it some ten thousand times.
+        assert!((a - b).abs() < 1e-8, "{a} {b}");
+    }
+}
+
+#[test]
+fn a_scene_refuses_starts_that_it_relies_on_not_to_be() {
+    let outcome = residua("sweep paper_spatial --over start.ω.z=0..1:2 --until 1");
+    assert_eq!(outcome.code, 1, "{}", outcome.stderr);
+    let (_, rows) = table(&outcome.stdout);
+    assert!(rows[0].iter().all(|cell| !cell.is_empty()));
+    let status = rows[1].last().expect("a status");
+    assert!(status.contains("ω.z is 1, and the scene relies on 0"));
+    for (over, part) in [
+        ("m=1..2:2", "fixed as `10`"),
+        ("start.Γ1.x=0..1:2", "no kept quantity"),
+    ] {
+        let outcome = residua(&format!("sweep paper_spatial --over {over}"));
+        assert_refused(&outcome, 2, &["does without", part]);
+    }
+}
+
+#[test]
 fn start_values_follow_swept_parameters() {
     let line = "sweep planar_reduced --over l=1..4:2 --start ω=sqrt(g/l) --every 1 --until 0.01";
     let (_, rows) = table(&succeed(line).stdout);

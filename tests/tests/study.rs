@@ -164,6 +164,7 @@ fn conservation_is_found_whatever_the_names() {
 #[test]
 fn an_error_that_stays_does_not_vanish() {
     assert!(!Decay::new(&[1e-3, 1e-3], 1e-12).vanishes());
+    assert!(!Decay::new(&[f64::INFINITY; 3], f64::INFINITY).vanishes());
     assert!(!Decay::new(&[1e-3, f64::NAN], 1e-12).vanishes());
     assert!(Decay::new(&[1e-3, 5e-4], 1e-12).vanishes());
     assert!(Decay::new(&[1e-3, 1e-13], 1e-12).vanishes());

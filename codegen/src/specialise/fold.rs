@@ -32,18 +32,24 @@ pub(super) fn equations(equations: &Equations, is_fixed: &[bool]) -> Result<Equa
     } = equations;
     let mut dag = Dag::new();
     let values = values(&mut dag, equations);
-    let rates = flow.as_deref().unwrap_or_default();
-    let roots = [defaults, start, outputs, rates].concat();
-    let grafted = graft(&mut dag, &equations.dag, &roots, |dag, leaf| match leaf {
+    let put_in = |dag: &mut Dag, leaf: Leaf| match leaf {
         Leaf::Parameter(i) if is_fixed[i] => values[i],
         _ => dag.leaf(leaf),
-    })?;
+    };
+    // The discrete equations may do without what the continuous ones divide by.
+    let flow = flow.as_deref().filter(|rates| {
+        let grafted = dag.graft(&equations.dag, rates, put_in);
+        vanishing_divisors(&dag, &equations.dag, &grafted).is_empty()
+    });
+    let rates = flow.unwrap_or_default();
+    let roots = [defaults, start, outputs, rates].concat();
+    let grafted = graft(&mut dag, &equations.dag, &roots, put_in)?;
     let at = |roots: &[NodeId]| roots.iter().map(|r| grafted[r.index()]).collect();
     Ok(Equations {
         defaults: at(defaults),
         start: at(start),
         outputs: at(outputs),
-        flow: flow.as_deref().map(at),
+        flow: flow.map(at),
         dag,
     })
 }

@@ -34,7 +34,8 @@ pub(super) fn explained(
         skipped.push(Skipped {
             kind: SkippedKind::Flow,
             what: "flow".to_owned(),
-            reason: "its equations need states that the discrete ones do without".to_owned(),
+            reason: "its equations need states that the discrete ones do without, or divide by 0 with what is fixed"
+                .to_owned(),
             line: model.flow[0].range.line(),
         });
     }

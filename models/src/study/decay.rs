@@ -19,7 +19,8 @@ impl Decay {
     /// `floor` is the size of rounding.
     pub fn new(errors: &[f64], floor: f64) -> Self {
         let order = match errors {
-            [_, .., last] if *last <= floor => None,
+            // An infinite floor is no rounding.
+            [_, .., last] if *last <= floor && floor.is_finite() => None,
             // Of NaN too, which is no rounding.
             [first, .., last] => {
                 let halvings = (errors.len() - 1) as f64;

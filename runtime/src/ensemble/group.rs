@@ -169,16 +169,15 @@ impl<'a> Group<'a> {
 
     /// Starts a trajectory: in step, where the model and the settings allow it.
     fn seat(&mut self, lane: usize) {
+        // Whoever can start at all can start alone.
+        self.depart(lane, u64::MAX);
         let settings = self.fleet.settings;
-        let values = self.parameters.iter().chain(&self.state);
-        let is_finite = values.fold(true, |all, row| all & row[lane].is_finite());
         let can_join = self.kernel.has_correction()
             && settings.strategy == Strategy::Core
             && settings.tolerance >= f64::EPSILON;
-        if can_join && is_finite {
+        if can_join && matches!(self.seats[lane], Seat::Alone { .. }) {
+            self.stand_up(lane);
             self.join(lane);
-        } else {
-            self.depart(lane, u64::MAX);
         }
     }
 

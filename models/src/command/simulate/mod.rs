@@ -16,12 +16,13 @@ use clap::{Args, ValueEnum};
 use plan::{Plan, Scheme, plan};
 use recorder::Recorder;
 use residua::description::Description;
-use residua::erased::{Run, Sample};
-use residua::{Catalogued, Settings, Statistics, Strategy};
+use residua::erased::{Observer, Run, Sample};
+use residua::{Catalogued, RunError, Settings, Statistics, Strategy};
 use residua_models::find;
 use rows::Rows;
 use std::fs::File;
 use std::io::{self, BufWriter, IsTerminal, Write};
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 use trace::Trace;
@@ -112,6 +113,7 @@ impl Simulate {
         if self.out.is_some() && self.out == self.plot {
             return Err(Failure::input("--out and --plot name the same file"));
         }
+        self.refuse_invalid(&plan)?;
         // Before the run, so that a bad path does not cost one.
         let picture = self.plot.as_deref().map(create).transpose()?;
         let mut recorder = self.recorder(model, &plan)?;
@@ -152,8 +154,25 @@ impl Simulate {
         Ok(Recorder::new(model, plan, rows, trace, !hidden))
     }
 
-    fn advance(&self, plan: &Plan, recorder: &mut Recorder) -> Result<Statistics, Failure> {
+    /// Refuses what no run can start from, before anything is written.
+    fn refuse_invalid(&self, plan: &Plan) -> Result<(), Failure> {
         let run = Run {
+            steps: 0,
+            ..self.planned(plan)
+        };
+        let outcome = simulate(plan, &run, &mut |_| ControlFlow::Break(()));
+        outcome.map_err(|error| Failure::input(error.to_string()))?;
+        Ok(())
+    }
+
+    fn advance(&self, plan: &Plan, recorder: &mut Recorder) -> Result<Statistics, Failure> {
+        let mut observer = |sample: Sample<'_>| recorder.take(&sample);
+        let outcome = simulate(plan, &self.planned(plan), &mut observer);
+        outcome.map_err(|error| Failure::Run(error.to_string()))
+    }
+
+    fn planned<'a>(&self, plan: &'a Plan) -> Run<'a> {
+        Run {
             parameters: &plan.parameters,
             start: &plan.start,
             h: plan.step,
@@ -166,13 +185,7 @@ impl Simulate {
                 compensated: !self.uncompensated,
                 ..Settings::default()
             },
-        };
-        let mut observer = |sample: Sample<'_>| recorder.take(&sample);
-        let outcome = match plan.scheme {
-            Scheme::Newton(solver) => solver.simulate(&run, &mut observer),
-            Scheme::RungeKutta(flow) => flow.simulate(&run, &mut observer),
-        };
-        outcome.map_err(|error| Failure::Run(error.to_string()))
+        }
     }
 
     fn subtitle(&self, plan: &Plan, statistics: Option<&Statistics>) -> String {
@@ -195,6 +208,13 @@ impl Simulate {
         if let Some(path) = &self.plot {
             eprintln!("{}", path.display());
         }
+    }
+}
+
+fn simulate(plan: &Plan, run: &Run, observer: &mut Observer) -> Result<Statistics, RunError> {
+    match plan.scheme {
+        Scheme::Newton(solver) => solver.simulate(run, observer),
+        Scheme::RungeKutta(flow) => flow.simulate(run, observer),
     }
 }
 

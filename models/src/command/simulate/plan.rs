@@ -47,7 +47,7 @@ pub enum Scheme {
 }
 
 /// Checks the options against the model.
-pub fn plan(options: &Simulate, model: &Catalogued) -> Result<Plan, Failure> {
+pub fn plan(options: &Simulate, model: &'static Catalogued) -> Result<Plan, Failure> {
     let Span { step, steps, note } = span(model, options.step, options.until)?;
     if !(options.tolerance > 0.0 && options.tolerance < 1.0) {
         let message = format!(
@@ -149,7 +149,7 @@ pub fn solver(form: Option<&str>, model: &Catalogued) -> Result<&'static dyn Any
 }
 
 /// Parameters and start values: those of the file, overwritten by `--set` and `--start`.
-fn values(options: &Simulate, model: &Catalogued) -> Result<(Vec<f64>, Vec<f64>), Failure> {
+fn values(options: &Simulate, model: &'static Catalogued) -> Result<(Vec<f64>, Vec<f64>), Failure> {
     let description = model.description;
     for assignment in options.set.iter().chain(&options.start) {
         refuse_skipped(assignment, description)?;
@@ -181,15 +181,22 @@ fn values(options: &Simulate, model: &Catalogued) -> Result<(Vec<f64>, Vec<f64>)
 }
 
 /// What a scene has folded in or left out cannot be given another value.
-fn refuse_skipped(assignment: &Assignment, description: &Description) -> Result<(), Failure> {
+pub fn refuse_skipped(
+    assignment: &Assignment,
+    description: &'static Description,
+) -> Result<(), Failure> {
     let Some(scene) = description.scene else {
         return Ok(());
     };
-    let is_meant = |name: &str| assignment.is_to(name);
-    let mut skipped = scene
-        .skipped
-        .iter()
-        .filter(|s| matches!(s.kind, "parameter" | "state"));
+    let kept = description.parameters.iter().chain(description.states);
+    let is_kept = kept.into_iter().any(|v| assignment.is_to(v.name));
+    let is_meant = |what: &str| what.split(", ").any(|part| assignment.is_to(part));
+    let mut skipped = scene.skipped.iter().filter(|s| match s.kind {
+        "parameter" | "state" => true,
+        // What is left of a variable says itself why a component has to be 0.
+        "component" => !is_kept,
+        _ => false,
+    });
     let Some(skipped) = skipped.find(|s| is_meant(s.what)) else {
         return Ok(());
     };
@@ -198,7 +205,7 @@ fn refuse_skipped(assignment: &Assignment, description: &Description) -> Result<
         "the scene `{name}` does without `{}`: {}",
         skipped.what, skipped.reason
     );
-    let help = format!("`residua simulate {model}` runs the model with everything in it");
+    let help = format!("the model `{model}` has everything in it");
     Err(Failure::input_with_help(gone, help))
 }
 

@@ -6,7 +6,7 @@ mod table;
 
 use crate::assignment::{Assignment, Target, assign, parse};
 use crate::failure::Failure;
-use crate::simulate::plan::{Span, solver, span, symbols};
+use crate::simulate::plan::{Span, refuse_skipped, solver, span, symbols};
 use crate::values;
 use clap::Args;
 use grid::Grid;
@@ -20,7 +20,7 @@ use std::io::{self, BufWriter, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
-use table::{Shelf, Table};
+use table::{Finished, Shelf, Table};
 
 /// More rows than this are taken for a mistake: the file would have tens of gigabytes.
 const MAX_ROWS: f64 = 1e8;
@@ -28,10 +28,13 @@ const MAX_ROWS: f64 = 1e8;
 /// Rows that are kept before they are written, in trajectories of one group at least.
 const KEPT_ROWS: u64 = 1 << 16;
 
+/// More threads than this are taken for a mistake: starting them takes longer than what they do.
+const MOST_THREADS: i64 = 512;
+
 /// Run a model for every combination of some parameters and start values
 #[derive(Args)]
 pub struct Sweep {
-    /// A model from `residua list`
+    /// A model or scene from `residua list`
     model: String,
     /// What to vary: `--over m=1..3:100` for 100 masses from 1 to 3, `--over start.ω.x=-1..1:50` for a
     /// start value; of several, all combinations
@@ -56,7 +59,7 @@ pub struct Sweep {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     every: Option<u64>,
     /// Threads to run on [default: all cores]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=MOST_THREADS))]
     threads: Option<u16>,
     /// File for the rows, as CSV [default: standard output]
     #[arg(long, value_name = "FILE")]
@@ -72,6 +75,9 @@ impl Sweep {
         let model = find(&self.model)?.catalogued;
         let Span { step, steps, note } = span(model, self.step, self.until)?;
         let solver = solver(self.form.as_deref(), model)?;
+        for assignment in self.set.iter().chain(&self.start) {
+            refuse_skipped(assignment, model.description)?;
+        }
         let parameters = self.parameters(model)?;
         let axes = axes(&self.over, model.description, &parameters)?;
         let grid = Grid::new(model, axes, parameters, &self.start)?;
@@ -100,13 +106,16 @@ impl Sweep {
             table.write(shelf, &outcomes)?;
         }
         progress.finish_and_clear();
-        let rows = table.finish()?;
+        let Finished { rows, holes } = table.finish()?;
         if !self.quiet {
             let elapsed = clock.elapsed();
             eprintln!("{count} trajectories of {steps} steps in {elapsed:.1?}");
             if let Some(path) = self.out.as_deref().filter(|path| !is_stdout(path)) {
                 eprintln!("{} ({rows} rows)", path.display());
             }
+        }
+        if holes > 0 {
+            eprintln!("warning: {holes} outputs have no value");
         }
         failed.report(count)
     }

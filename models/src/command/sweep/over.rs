@@ -3,6 +3,7 @@
 use crate::assignment::{Assignment, Target, component_of, parse as parse_assignment};
 use crate::expression::{Symbol, evaluate};
 use crate::failure::Failure;
+use crate::simulate::plan::refuse_skipped;
 use crate::simulate::plan::symbols;
 use residua::description::Description;
 use std::fmt;
@@ -131,6 +132,7 @@ fn axis(
         },
         other => other,
     };
+    refuse_skipped(&over.ends[0], description).map_err(place)?;
     let (position, symbol) = component_of(&over.ends[0], &target).map_err(place)?;
     let end = |assignment: &Assignment| {
         let refuse = |message: &str| place(Failure::input(message));

@@ -1,7 +1,7 @@
 //! The rows of a sweep: swept values, time, states, outputs, iterations, status.
 
 use super::grid::Grid;
-use crate::columns::{header, ordered_outputs, total};
+use crate::columns::{header, kept_states, ordered_outputs, size, total};
 use residua::Outcome;
 use residua::erased::Sample;
 use std::io::{self, Write};
@@ -58,11 +58,21 @@ pub struct Table<'a> {
     grid: &'a Grid<'a>,
     h: f64,
     out: csv::Writer<Box<dyn Write>>,
+    /// For each state column, its position in the flat state.
+    states: Vec<usize>,
     /// For each output column, its position in the flat outputs.
     order: Vec<usize>,
     n_states: usize,
-    /// Rows written.
+    finished: Finished,
+}
+
+/// What has been written.
+#[derive(Default)]
+pub struct Finished {
+    /// Rows.
     pub rows: u64,
+    /// Outputs without a value among them.
+    pub holes: u64,
 }
 
 impl<'a> Table<'a> {
@@ -79,9 +89,12 @@ impl<'a> Table<'a> {
             grid,
             h,
             out,
+            states: kept_states(description)
+                .flat_map(|(at, state)| at..at + size(state))
+                .collect(),
             order: placed.iter().flat_map(range).collect(),
             n_states: total(description.states),
-            rows: 0,
+            finished: Finished::default(),
         })
     }
 
@@ -107,9 +120,12 @@ impl<'a> Table<'a> {
         for (i, shown) in rows.iter().enumerate() {
             let model = self.grid.model.model;
             model.outputs(&parameters, self.h, shown.t, &shown.state, &mut outputs);
+            let holes = outputs.iter().filter(|output| !output.is_finite());
+            self.finished.holes += holes.count() as u64;
             let outputs = self.order.iter().map(|&i| outputs[i]);
+            let states = self.states.iter().map(|&i| shown.state[i]);
             let numbers = point.iter().copied().chain([shown.t]);
-            let numbers = numbers.chain(shown.state.iter().copied()).chain(outputs);
+            let numbers = numbers.chain(states).chain(outputs);
             let status = if i + 1 < rows.len() { REACHED } else { &status };
             let last = [shown.iterations.to_string(), status.to_owned()];
             self.out
@@ -117,18 +133,18 @@ impl<'a> Table<'a> {
         }
         if rows.is_empty() {
             // It did not start.
-            let nothing = vec![String::new(); 1 + self.n_states + self.order.len()];
+            let nothing = vec![String::new(); 1 + self.states.len() + self.order.len()];
             let numbers = point.iter().map(|x| format!("{x:?}")).chain(nothing);
             self.out
                 .write_record(numbers.chain(["0".to_owned(), status]))?;
         }
-        self.rows += rows.len().max(1) as u64;
+        self.finished.rows += rows.len().max(1) as u64;
         Ok(())
     }
 
     /// Passes on what is still buffered.
-    pub fn finish(mut self) -> io::Result<u64> {
+    pub fn finish(mut self) -> io::Result<Finished> {
         self.out.flush()?;
-        Ok(self.rows)
+        Ok(self.finished)
     }
 }
