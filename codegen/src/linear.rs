@@ -33,30 +33,47 @@ pub struct Solution {
 }
 
 /// A determinant or pivot.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Divisor {
     value: NodeId,
     /// The same sum of products with every entry replaced by its magnitude: its error is up to so many rounding errors.
     size: NodeId,
-    /// It is an entry of the matrix as it stands.
+    /// Of a pivot, the factors by which its equation is taken from the others.
+    factors: Vec<NodeId>,
+    /// It is an entry of the matrix as it stands, and the only one.
     pub is_entry: bool,
 }
 
-/// Σ size / |value| over the divisors that can cancel: how many times larger than rounding an error may get by the
-/// divisions. The number 0 if none can.
+/// How many times larger than rounding an error may get by the divisions: Σ size / |value| over the divisors that can
+/// cancel, and Π (1 + Σ |factors|) over the pivots, which bounds how far the equations outgrow what they were. The number
+/// 0 if nothing can cancel and there are no pivots.
+///
+/// A small pivot loses the equations that large multiples of its own are taken from, though nothing cancels in it
+/// (Higham, *Accuracy and Stability of Numerical Algorithms*, section 9.3).
 pub fn growth(dag: &mut Dag, divisors: &[Divisor]) -> NodeId {
+    let one = dag.integer(1);
     let mut shares = Vec::new();
     let mut seen = Vec::new();
+    let mut product = one;
     for divisor in divisors {
         let (_, sum) = dag.split_coefficient(divisor.value);
         let can_cancel = matches!(dag.node(sum), Node::Sum(_)) && !dag.is_positive(sum);
         if can_cancel && !seen.contains(&sum) {
-            let one = dag.integer(1);
             let reciprocal = dag.div(one, divisor.value);
             let reciprocal = magnitude(dag, reciprocal);
             shares.push(dag.mul(divisor.size, reciprocal));
         }
         seen.push(sum);
+        let factors = divisor.factors.iter();
+        let mut terms: Vec<NodeId> = factors.map(|&factor| magnitude(dag, factor)).collect();
+        if !terms.is_empty() {
+            terms.push(one);
+            let sum = add_all(dag, &terms);
+            product = dag.mul(product, sum);
+        }
+    }
+    if product != one {
+        shares.push(product);
     }
     add_all(dag, &shares)
 }
@@ -128,6 +145,7 @@ fn solve_block(
             divisors.push(Divisor {
                 value,
                 size,
+                factors: Vec::new(),
                 is_entry: true,
             });
             Some(vec![dag.div(b.entries[0], value)])
@@ -168,6 +186,7 @@ fn cramer(
     divisors.push(Divisor {
         value: determinant,
         size,
+        factors: Vec::new(),
         is_entry: false,
     });
     let above = a.adjugate(dag).product(dag, b);
@@ -208,13 +227,13 @@ impl Elimination {
             self.cols.retain(|&j| j != col);
             let value = self.a[row][col];
             let size = sum_of_magnitudes(dag, value);
+            pivots.push((row, col));
             divisors.push(Divisor {
                 value,
                 size,
+                factors: self.take(dag, row, col),
                 is_entry: false,
             });
-            pivots.push((row, col));
-            self.take(dag, row, col);
         }
         let mut x = self.b.clone();
         for (k, &(row, col)) in pivots.iter().enumerate().rev() {
@@ -258,14 +277,16 @@ impl Elimination {
         best.map(|(_, _, place)| place)
     }
 
-    /// Takes the unknown `col` out of the remaining equations by means of `row`.
-    fn take(&mut self, dag: &mut Dag, row: usize, col: usize) {
+    /// Takes the unknown `col` out of the remaining equations by means of `row`, and returns the factors.
+    fn take(&mut self, dag: &mut Dag, row: usize, col: usize) -> Vec<NodeId> {
+        let mut factors = Vec::new();
         let pivot_row = self.a[row].clone();
         for &i in &self.rows {
             if dag.is_zero(self.a[i][col]) {
                 continue;
             }
             let factor = dag.div(self.a[i][col], pivot_row[col]);
+            factors.push(factor);
             let value = self.values[i][col] / self.values[row][col];
             for &j in &self.cols {
                 if dag.is_zero(pivot_row[j]) {
@@ -278,5 +299,6 @@ impl Elimination {
             let product = dag.mul(factor, self.b[row]);
             self.b[i] = dag.sub(self.b[i], product);
         }
+        factors
     }
 }

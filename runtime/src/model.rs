@@ -107,7 +107,7 @@ pub trait System<T: Scalar> {
     /// [`System::correction`] is there.
     const HAS_CORRECTION: bool = false;
     /// Newton's correction J(x)⁻¹ r(x) in closed form, the pivots chosen at build time, and how many times larger than
-    /// rounding its error may be for that: Σ |terms| / |Σ terms| over the pivots.
+    /// rounding its error may be for that: Σ |terms| / |Σ terms| over the pivots. Without one, the growth is infinite.
     fn correction(
         _scene: &Self::Scene,
         _step: &Self::Step,
@@ -119,7 +119,8 @@ pub trait System<T: Scalar> {
     fn next(scene: &Self::Scene, step: &Self::Step, x: &Self::Unknowns) -> StateArray<Self, T>;
     /// [`System::change`] is there.
     const HAS_CHANGE: bool = false;
-    /// The state after the step less that before, where it is computed without the state it is added to.
+    /// The state after the step less that before, computed without the state that it is added to. Only asked for where it
+    /// is there.
     fn change(scene: &Self::Scene, step: &Self::Step, x: &Self::Unknowns) -> StateArray<Self, T> {
         Self::next(scene, step, x)
     }

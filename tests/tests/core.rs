@@ -51,6 +51,21 @@ mod rootless {
     }
 }
 
+/// Four unknowns, none of them linear, in all equations: pivots are chosen where A is that of the file.
+mod pivots {
+    use residua::model;
+    model! {
+        param A: [4, 4] = [[4, 1, 1, 1], [1, 4, 1, 1], [1, 1, 4, 1], [1, 1, 1, 4]];
+        state x: [4];
+        let cubes = [x(1)^3, x(2)^3, x(3)^3, x(4)^3];
+        let y = x[k+1];
+        let next_cubes = [y(1)^3, y(2)^3, y(3)^3, y(4)^3];
+        residual { A*(y + next_cubes - x - cubes) + h*x[k+1/2] = 0; }
+        solve for next;
+        start { x = [1, 0.9, 0.8, 0.7]; }
+    }
+}
+
 fn start<M: residua::Model<f64>>() -> (M::Parameters, M::State) {
     let parameters = M::Parameters::default();
     (parameters, M::start(&parameters))
@@ -134,4 +149,40 @@ fn cores_are_as_small_as_they_can_be() {
     assert_eq!(core_size::<dsl::spatial_group::Increment>(), 3);
     assert_eq!(core_size::<dsl::elastic::Increment>(), 2);
     assert_eq!(core_size::<dsl::double_planar::Increment>(), 2);
+}
+
+/// With an A that has no diagonal, the pivots chosen at build time are h/2 beside entries of 10⁸: every correction says
+/// so and is not used.
+#[test]
+fn a_small_pivot_is_not_divided_by() {
+    use pivots::{Model, Next};
+    const { assert!(<Next as System<f64>>::HAS_CORRECTION) };
+    let (mut parameters, start) = start::<Model>();
+    let growth = |parameters| {
+        let scene = <Next as System<f64>>::scene(&parameters, 0.1);
+        let step = <Next as System<f64>>::step(&scene, 0.0, &start.x);
+        <Next as System<f64>>::correction(&scene, &step, &start.x).1
+    };
+    assert!(growth(parameters) < 100.0);
+    parameters.A = [
+        [0.0, 1e8, 0.0, 0.0],
+        [1e8, 0.0, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 1e8],
+        [0.0, 0.0, 1e8, 0.0],
+    ];
+    let found = growth(parameters);
+    assert!(found.is_nan() || found > 1e6, "{found:e}");
+
+    let mut stepper = Stepper::<Next>::new(parameters, start, 0.1).unwrap();
+    for _ in 0..200 {
+        let before = stepper.state().x;
+        stepper.step().unwrap();
+        let now = stepper.state().x;
+        // Row i of this A picks the other component of the pair.
+        for (i, j) in [(0, 1), (1, 0), (2, 3), (3, 2)] {
+            let grown = now[j] + now[j].powi(3) - before[j] - before[j].powi(3);
+            let r = grown + 0.05e-8 * (now[i] + before[i]);
+            assert!(r.abs() < 1e-14, "{r:e}");
+        }
+    }
 }
