@@ -75,6 +75,14 @@ fn all_unknowns_give_the_same_run_as_the_core() {
 }
 
 #[test]
+fn rk4_has_no_strategy() {
+    for option in ["--strategy full", "--uncompensated"] {
+        let outcome = residua(&format!("simulate planar_reduced --scheme rk4 {option}"));
+        assert_refused(&outcome, 2, &["of Newton's method"]);
+    }
+}
+
+#[test]
 fn uncompensated_sums_drift_further() {
     let line = "simulate planar_reduced --form increment --until 1000 --every 100000";
     let drift = |options: &str| {

@@ -62,9 +62,9 @@ pub struct Simulate {
         allow_negative_numbers = true
     )]
     tolerance: f64,
-    /// Which unknowns Newton's method iterates on; those that enter linearly need not be
-    #[arg(long, value_enum, default_value_t = StrategyName::Core)]
-    strategy: StrategyName,
+    /// Which unknowns Newton's method iterates on; those that enter linearly need not be [default: core]
+    #[arg(long, value_enum)]
+    strategy: Option<StrategyName>,
     /// Let the rounding of the sums of increments add up
     #[arg(long)]
     uncompensated: bool,
@@ -181,7 +181,7 @@ impl Simulate {
             every: self.every,
             settings: Settings {
                 tolerance: self.tolerance,
-                strategy: self.strategy.into(),
+                strategy: self.strategy.unwrap_or(StrategyName::Core).into(),
                 compensated: !self.uncompensated,
                 ..Settings::default()
             },

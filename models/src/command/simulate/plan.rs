@@ -56,6 +56,12 @@ pub fn plan(options: &Simulate, model: &'static Catalogued) -> Result<Plan, Fail
         );
         return Err(Failure::input(message));
     }
+    let is_newton = options.scheme == super::SchemeName::Newton;
+    if !is_newton && (options.strategy.is_some() || options.uncompensated) {
+        return Err(Failure::input(
+            "--strategy and --uncompensated are of Newton's method, and rk4 has none",
+        ));
+    }
     let (parameters, start) = values(options, model)?;
     Ok(Plan {
         scheme: scheme(options, model)?,
