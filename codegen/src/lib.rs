@@ -45,6 +45,7 @@ pub mod rank;
 pub mod sample;
 pub mod scene;
 pub mod schedule;
+pub mod similar;
 pub mod source;
 pub mod specialise;
 pub mod stage;

@@ -85,10 +85,6 @@ const SIMILAR: f64 = 0.8;
 
 /// The candidate most like `name`, if one is like it at all.
 pub fn nearest<'n>(name: &str, candidates: impl IntoIterator<Item = &'n str>) -> Option<String> {
-    let scored = candidates
-        .into_iter()
-        .map(|candidate| (::strsim::jaro_winkler(name, candidate), candidate))
-        .filter(|(score, _)| *score >= SIMILAR);
-    let best = scored.max_by(|a, b| a.0.total_cmp(&b.0));
-    best.map(|(_, candidate)| candidate.to_owned())
+    let candidates = candidates.into_iter().map(|c| (c, c));
+    ::residua_codegen::similar::most_similar(name, candidates, SIMILAR).map(ToOwned::to_owned)
 }

@@ -21,6 +21,7 @@ use crate::model::Variable;
 use crate::scene::SceneAst;
 use crate::scene::SceneItem;
 use crate::scene::Wishes;
+use crate::similar::most_similar;
 
 /// Least Jaro-Winkler similarity of a name to the one that was probably meant.
 const SIMILAR: f64 = 0.75;
@@ -246,15 +247,10 @@ fn complain<'a>(
     errors: &mut Errors,
 ) {
     let names: Vec<&Name> = known.map(|variable| &variable.name).collect();
-    let scored = names.iter().map(|candidate| {
-        let score = strsim::jaro_winkler(&candidate.ascii, &name.ascii);
-        (score, candidate)
-    });
-    let best = scored
-        .filter(|(score, _)| *score >= SIMILAR)
-        .max_by(|a, b| a.0.total_cmp(&b.0));
+    let candidates = names.iter().map(|n| (n.ascii.as_str(), n));
+    let best = most_similar(&name.ascii, candidates, SIMILAR);
     let help = match (best, names.as_slice()) {
-        (Some((_, candidate)), _) => format!("did you mean `{}`?", candidate.display),
+        (Some(candidate), _) => format!("did you mean `{}`?", candidate.display),
         (None, []) => return errors.push(name.range, message),
         (None, names) => {
             let names: Vec<&str> = names.iter().map(|n| n.display.as_str()).collect();

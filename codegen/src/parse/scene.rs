@@ -13,6 +13,7 @@ use crate::diagnostic::Errors;
 use crate::diagnostic::Range;
 use crate::scene::SceneAst;
 use crate::scene::SceneItem;
+use crate::similar::most_similar;
 use proc_macro2::Delimiter;
 use proc_macro2::Span;
 use proc_macro2::TokenStream;
@@ -206,17 +207,13 @@ fn no_statement(cursor: Cursor) -> Diagnostic {
     let Some(Kind::Ident(word)) = cursor.peek() else {
         return diagnostic;
     };
-    let best = KEYWORDS
-        .iter()
-        .map(|keyword| (strsim::jaro_winkler(word, keyword), keyword))
-        .filter(|(similarity, _)| *similarity > SIMILAR)
-        .max_by(|a, b| a.0.total_cmp(&b.0));
+    let best = most_similar(word, KEYWORDS.iter().map(|k| (*k, k)), SIMILAR);
     diagnostic.help = Some(match (best, word.as_str(), cursor.peek_at(1)) {
         (_, "param" | "set", _) => "write `fix NAME = VALUE;`".to_owned(),
         (_, "state" | "residual" | "flow" | "update" | "invariant" | "observe", _) => {
             "that belongs in the model file".to_owned()
         }
-        (Some((_, keyword)), ..) => format!("did you mean `{keyword}`?"),
+        (Some(keyword), ..) => format!("did you mean `{keyword}`?"),
         (None, _, Some(Kind::Punct('='))) => format!("write `fix {word} = …;`"),
         (None, ..) => format!("a statement of a scene begins with {}", KEYWORDS.join(", ")),
     });

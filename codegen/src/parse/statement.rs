@@ -17,6 +17,7 @@ use crate::ast::OutputKind;
 use crate::ast::TypeExpr;
 use crate::diagnostic::Diagnostic;
 use crate::diagnostic::Range;
+use crate::similar::most_similar;
 use num_rational::BigRational;
 use num_traits::Zero;
 use proc_macro2::Delimiter;
@@ -260,13 +261,9 @@ fn no_statement(cursor: Cursor) -> Diagnostic {
     let Some(Kind::Ident(word)) = cursor.peek() else {
         return diagnostic;
     };
-    let best = KEYWORDS
-        .iter()
-        .map(|keyword| (strsim::jaro_winkler(word, keyword), keyword))
-        .filter(|(similarity, _)| *similarity > SIMILAR)
-        .max_by(|a, b| a.0.total_cmp(&b.0));
+    let best = most_similar(word, KEYWORDS.iter().map(|k| (*k, k)), SIMILAR);
     diagnostic.help = match (best, cursor.peek_at(1)) {
-        (Some((_, keyword)), _) => Some(format!("did you mean `{keyword}`?")),
+        (Some(keyword), _) => Some(format!("did you mean `{keyword}`?")),
         (None, Some(Kind::Punct('='))) => Some(format!("write `let {word} = …;`")),
         (None, _) => Some(format!("a statement begins with {}", KEYWORDS.join(", "))),
     };
