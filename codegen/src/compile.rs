@@ -23,6 +23,7 @@ use crate::diagnostic::Range;
 use crate::differentiate::differentiate;
 use crate::eliminate::Full;
 use crate::eliminate::eliminate;
+use crate::eliminate::pays;
 use crate::emit::emit;
 use crate::emit::errors;
 use crate::emit::stub;
@@ -331,8 +332,7 @@ fn core(dag: &mut Dag, full: &Full, form: Form) -> Option<Core> {
         jacobian,
         change,
     };
-    core.pays(dag, full.residual, full.jacobian, full.next)
-        .then_some(core)
+    pays(dag, &core, full).then_some(core)
 }
 
 /// What a step adds to the state, where the unknowns are increments.

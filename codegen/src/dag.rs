@@ -25,6 +25,7 @@ use std::mem::discriminant;
 
 mod evaluate;
 mod operations;
+mod rebuild;
 mod sign;
 mod tape;
 mod text;

@@ -19,11 +19,13 @@ mod greedy;
 use crate::dag::Dag;
 use crate::dag::Leaf;
 use crate::dag::NodeId;
+use crate::dag::Rate;
 use crate::linear::Divisor;
 use crate::linear::growth;
 use crate::linear::solve;
 use crate::sample::Typical;
 use crate::system::Block;
+use crate::system::Core;
 use crate::system::Entry;
 use crate::system::Reduced;
 use candidates::Candidates;
@@ -158,4 +160,32 @@ fn put_in(dag: &mut Dag, roots: &[NodeId], values: &[Option<NodeId>]) -> Vec<Nod
         Leaf::Unknown(col) => values[col],
         _ => None,
     })
+}
+
+/// How many times the operations of a solver its core may take. They are counted before they are staged and shared, which
+/// halves them, and operations in the loops of a dense solve take longer than unrolled ones; above 2, a core is slower.
+const FAR_MORE: usize = 2;
+
+/// True if a step with the core does not take far more operations than one with all of the solver: what is computed in
+/// every step and iteration, and a dense solve. What is computed once per run is not counted.
+pub fn pays(dag: &Dag, core: &Core, full: &Full) -> bool {
+    let reduced = &core.reduced;
+    let growth = [reduced.growth];
+    let own = [&reduced.residual, &reduced.next, growth.as_slice()];
+    let own = operations(dag, &core.jacobian, &own) + dense_solve(reduced.residual.len());
+    let all = operations(dag, full.jacobian, &[full.residual, full.next]);
+    own <= FAR_MORE * (all + dense_solve(full.residual.len()))
+}
+
+/// Operations of rate Step and Iteration.
+fn operations(dag: &Dag, jacobian: &[Entry], others: &[&[NodeId]]) -> usize {
+    let entries = jacobian.iter().map(|entry| entry.node);
+    let roots: Vec<NodeId> = others.concat().into_iter().chain(entries).collect();
+    let operations = dag.operations(&roots);
+    operations[Rate::Step as usize] + operations[Rate::Iteration as usize]
+}
+
+/// Operations of Gaussian elimination with n unknowns: 2n³/3 + 2n², rounded down.
+fn dense_solve(n: usize) -> usize {
+    2 * n * n * n / 3 + 2 * n * n
 }

@@ -3,7 +3,6 @@
 use crate::ast::Form;
 use crate::dag::Dag;
 use crate::dag::NodeId;
-use crate::dag::Rate;
 use crate::model::Shape;
 
 /// A solver as scalars, before its derivative is known.
@@ -170,43 +169,4 @@ pub struct Equations {
     pub outputs: Vec<NodeId>,
     /// dx/dt of each state component, if the model has a flow.
     pub flow: Option<Vec<NodeId>>,
-}
-
-/// How many times the operations of a solver its core may take. They are counted before they are staged and shared, which
-/// halves them, and operations in the loops of a dense solve take longer than unrolled ones; above 2, a core is slower.
-const FAR_MORE: usize = 2;
-
-impl Core {
-    /// True if a step with it does not take far more operations than one with all of `residual`, `jacobian` and `next`:
-    /// what is computed in every step and iteration, and a dense solve. What is computed once per run is not counted.
-    pub fn pays(
-        &self,
-        dag: &Dag,
-        residual: &[NodeId],
-        jacobian: &[Entry],
-        next: &[NodeId],
-    ) -> bool {
-        let reduced = &self.reduced;
-        let growth = [reduced.growth];
-        let own = operations(
-            dag,
-            &self.jacobian,
-            &[&reduced.residual, &reduced.next, &growth],
-        );
-        let all = operations(dag, jacobian, &[residual, next]);
-        own + dense_solve(reduced.residual.len()) <= FAR_MORE * (all + dense_solve(residual.len()))
-    }
-}
-
-/// Operations of rate Step and Iteration.
-fn operations(dag: &Dag, jacobian: &[Entry], others: &[&[NodeId]]) -> usize {
-    let entries = jacobian.iter().map(|entry| entry.node);
-    let roots: Vec<NodeId> = others.concat().into_iter().chain(entries).collect();
-    let operations = dag.operations(&roots);
-    operations[Rate::Step as usize] + operations[Rate::Iteration as usize]
-}
-
-/// Operations of Gaussian elimination with n unknowns: 2n³/3 + 2n², rounded down.
-fn dense_solve(n: usize) -> usize {
-    2 * n * n * n / 3 + 2 * n * n
 }
