@@ -140,8 +140,9 @@ impl<S: Solvable<T>, T: Real> Implicit<S, T> {
         statistics: &mut Statistics,
     ) -> Result<Report, Fault> {
         statistics.fallbacks += 1;
-        // What one of them knows of earlier steps ends where the other takes over.
+        // What one of them knows of earlier steps ends where the other takes over; and the other may not compensate.
         self.core.newton.forget();
+        self.lost.as_mut().fill(T::constant(0.0));
         if !self.fell_back {
             self.full.newton.forget();
         }
