@@ -3,8 +3,8 @@
 //! Trajectories are taken in groups, in step, by vector instructions, and groups by threads. A step begins with an
 //! extrapolated start and mostly ends with one correction; where a trajectory needs more, the others of its group wait
 //! and are left as they are; where that does not help, it goes on alone for a while, as a
-//! [`Stepper`](crate::Stepper). So no trajectory depends on its neighbours: it has the same bits in any group, with any
-//! number of threads and on any machine, but for what the functions of its standard library make of it.
+//! [`Stepper`](crate::Stepper). So no trajectory depends on its neighbours: it has the same bits in any group and with any
+//! number of threads.
 
 mod group;
 mod judge;

@@ -1,5 +1,7 @@
 //! A group of trajectories that take their steps together.
 
+mod rare;
+
 use std::boxed::Box;
 use std::mem;
 use std::vec;
@@ -9,28 +11,22 @@ use pulp::Arch;
 
 use super::Fleet;
 use super::Outcome;
-use super::judge;
 use super::kernel::Alone;
 use super::kernel::Departure;
 use super::kernel::Kernel;
 use super::kernel::Landing;
 use super::kernel::Start;
-use super::rows::Mask;
 use super::rows::Row;
 use super::rows::WIDTH;
 use super::rows::all;
 use super::rows::get;
-use super::rows::merge;
 use super::rows::put;
 use super::rows::zeros;
 use super::shifts::Shifts;
 use crate::erased::Sample;
 use crate::error::RunError;
 use crate::report::Statistics;
-use crate::settings::MOST_QUICK;
-use crate::settings::RATE_MARGIN;
 use crate::settings::Strategy;
-use crate::settings::TRUSTED_STEPS;
 
 /// Steps that a trajectory takes alone after one that it could not take with its group. Each time twice as many as
 /// before: more keeps it from disturbing the group, fewer gets it back to its speed.
@@ -246,112 +242,6 @@ impl<'a> Group<'a> {
             self.lost.swap(0, 1);
         }
         self.shifts.push();
-    }
-
-    /// Who is to find out now what is enough.
-    fn is_due(&self, lane: usize) -> bool {
-        self.due[lane] <= self.step && self.idle[lane] == 0.0
-    }
-
-    /// Those who are due set out from further away, and with no limit to the first correction but the second.
-    #[cold]
-    fn set_out(&mut self) {
-        let due: Mask = core::array::from_fn(|lane| self.is_due(lane));
-        let scales = judge::scales(self.kernel.blocks(), &self.state, &self.x);
-        self.shifts.set_out(self.arch, &due, &scales);
-        for enough in &mut self.enough {
-            for lane in 0..WIDTH {
-                enough[lane] = if due[lane] { NEVER } else { enough[lane] };
-            }
-        }
-    }
-
-    /// After a step that was not quiet: who is due next?
-    #[cold]
-    fn settle(&mut self) {
-        self.shifts.weigh(&[false; WIDTH]);
-        let together = (0..WIDTH).filter(|lane| self.idle[*lane] == 0.0);
-        let next = together.map(|lane| self.due[lane]).min();
-        // Those who still are due are so in the next step.
-        self.quiet_until = next.unwrap_or(u64::MAX);
-    }
-
-    /// Goes on with those that one correction was not enough for, and leaves the others as they are.
-    #[cold]
-    fn correct_again(&mut self) {
-        let blocks = self.kernel.blocks();
-        let tolerance = self.fleet.settings.tolerance;
-        let n = self.start.len();
-        let mut open: Mask = core::array::from_fn(|i| self.idle[i] == 0.0 && self.within[i] == 0.0);
-        let mut before = judge::progress(blocks, &self.state, &self.x, &self.correction, tolerance);
-        let first = self.correction.clone();
-        let (mut shift, mut next, mut lost) = (zeros(n), self.next.clone(), self.lost[1].clone());
-        self.start.copy_from_slice(self.shifts.next());
-        let mut last_x = self.x.clone();
-        for round in 2..=MOST_QUICK {
-            let start = Start {
-                t: self.t(),
-                scene: &self.scene,
-                state: &self.state,
-                lost: &self.lost[0],
-                shift: &self.start,
-                enough: &self.enough,
-                idle: &self.idle,
-            };
-            let landing = Landing {
-                shift: &mut shift,
-                x: &mut last_x,
-                correction: &mut self.correction,
-                next: &mut next,
-                lost: &mut lost,
-                sound: &mut self.sound,
-                within: &mut self.within,
-            };
-            self.kernel.correct(self.arch, start, landing);
-            let now = judge::progress(blocks, &self.state, &last_x, &self.correction, tolerance);
-            if round == 2 {
-                let limits = judge::limits(blocks, &self.state, &last_x, &first, &self.correction);
-                self.learn(&open, &limits);
-            }
-            let mut accepted = [false; WIDTH];
-            for i in 0..WIDTH {
-                let is_last = now.size[i] * now.size[i] <= RATE_MARGIN * tolerance * before.size[i];
-                let is_small = now.converged[i] && now.size[i] <= before.size[i];
-                let is_enough = self.within[i] != 0.0 || is_last || is_small;
-                accepted[i] = open[i] && self.sound[i] != 0.0 && is_enough;
-                self.iterations[i] += i64::from(open[i]);
-                open[i] &= !accepted[i];
-            }
-            merge(self.shifts.next(), &shift, &accepted);
-            merge(&mut self.next, &next, &accepted);
-            merge(&mut self.lost[1], &lost, &accepted);
-            merge(&mut self.x, &last_x, &accepted);
-            if open == [false; WIDTH] {
-                return;
-            }
-            self.start.copy_from_slice(&shift);
-            before = now;
-        }
-        for lane in (0..WIDTH).filter(|lane| open[*lane]) {
-            let absence = FIRST_ABSENCE << self.absences[lane].min(32);
-            self.absences[lane] += 1;
-            self.depart(lane, self.step.saturating_add(absence));
-        }
-    }
-
-    /// Takes in the limits of those who are due, and the larger ones of others.
-    fn learn(&mut self, open: &Mask, limits: &[Row]) {
-        for lane in (0..WIDTH).filter(|lane| open[*lane]) {
-            let is_due = self.is_due(lane);
-            if is_due && self.shifts.are_many(lane) {
-                self.due[lane] = self.step + 1 + u64::from(TRUSTED_STEPS);
-            }
-            for (enough, limit) in self.enough.iter_mut().zip(limits) {
-                if is_due || limit[lane] > enough[lane] {
-                    enough[lane] = limit[lane];
-                }
-            }
-        }
     }
 
     /// Lets a trajectory go on alone from the state before the step.

@@ -1,0 +1,124 @@
+//! What a group does now and then: measuring convergence anew, and correcting again where one correction was not enough.
+
+use super::FIRST_ABSENCE;
+use super::Group;
+use super::NEVER;
+use crate::ensemble::judge;
+use crate::ensemble::kernel::Landing;
+use crate::ensemble::kernel::Start;
+use crate::ensemble::rows::Mask;
+use crate::ensemble::rows::Row;
+use crate::ensemble::rows::WIDTH;
+use crate::ensemble::rows::merge;
+use crate::ensemble::rows::zeros;
+use crate::settings::MOST_QUICK;
+use crate::settings::RATE_MARGIN;
+use crate::settings::TRUSTED_STEPS;
+
+impl Group<'_> {
+    /// Who is to find out now what is enough.
+    fn is_due(&self, lane: usize) -> bool {
+        self.due[lane] <= self.step && self.idle[lane] == 0.0
+    }
+
+    /// Those who are due set out from further away, and with no limit to the first correction but the second.
+    #[cold]
+    pub(super) fn set_out(&mut self) {
+        let due: Mask = core::array::from_fn(|lane| self.is_due(lane));
+        let scales = judge::scales(self.kernel.blocks(), &self.state, &self.x);
+        self.shifts.set_out(self.arch, &due, &scales);
+        for enough in &mut self.enough {
+            for lane in 0..WIDTH {
+                enough[lane] = if due[lane] { NEVER } else { enough[lane] };
+            }
+        }
+    }
+
+    /// After a step that was not quiet: who is due next?
+    #[cold]
+    pub(super) fn settle(&mut self) {
+        self.shifts.weigh(&[false; WIDTH]);
+        let together = (0..WIDTH).filter(|lane| self.idle[*lane] == 0.0);
+        let next = together.map(|lane| self.due[lane]).min();
+        // Those who still are due are so in the next step.
+        self.quiet_until = next.unwrap_or(u64::MAX);
+    }
+
+    /// Goes on with those that one correction was not enough for, and leaves the others as they are.
+    #[cold]
+    pub(super) fn correct_again(&mut self) {
+        let blocks = self.kernel.blocks();
+        let tolerance = self.fleet.settings.tolerance;
+        let n = self.start.len();
+        let mut open: Mask = core::array::from_fn(|i| self.idle[i] == 0.0 && self.within[i] == 0.0);
+        let mut before = judge::progress(blocks, &self.state, &self.x, &self.correction, tolerance);
+        let first = self.correction.clone();
+        let (mut shift, mut next, mut lost) = (zeros(n), self.next.clone(), self.lost[1].clone());
+        self.start.copy_from_slice(self.shifts.next());
+        let mut last_x = self.x.clone();
+        for round in 2..=MOST_QUICK {
+            let start = Start {
+                t: self.t(),
+                scene: &self.scene,
+                state: &self.state,
+                lost: &self.lost[0],
+                shift: &self.start,
+                enough: &self.enough,
+                idle: &self.idle,
+            };
+            let landing = Landing {
+                shift: &mut shift,
+                x: &mut last_x,
+                correction: &mut self.correction,
+                next: &mut next,
+                lost: &mut lost,
+                sound: &mut self.sound,
+                within: &mut self.within,
+            };
+            self.kernel.correct(self.arch, start, landing);
+            let now = judge::progress(blocks, &self.state, &last_x, &self.correction, tolerance);
+            if round == 2 {
+                let limits = judge::limits(blocks, &self.state, &last_x, &first, &self.correction);
+                self.learn(&open, &limits);
+            }
+            let mut accepted = [false; WIDTH];
+            for i in 0..WIDTH {
+                let is_last = now.size[i] * now.size[i] <= RATE_MARGIN * tolerance * before.size[i];
+                let is_small = now.converged[i] && now.size[i] <= before.size[i];
+                let is_enough = self.within[i] != 0.0 || is_last || is_small;
+                accepted[i] = open[i] && self.sound[i] != 0.0 && is_enough;
+                self.iterations[i] += i64::from(open[i]);
+                open[i] &= !accepted[i];
+            }
+            merge(self.shifts.next(), &shift, &accepted);
+            merge(&mut self.next, &next, &accepted);
+            merge(&mut self.lost[1], &lost, &accepted);
+            merge(&mut self.x, &last_x, &accepted);
+            if open == [false; WIDTH] {
+                return;
+            }
+            self.start.copy_from_slice(&shift);
+            before = now;
+        }
+        for lane in (0..WIDTH).filter(|lane| open[*lane]) {
+            let absence = FIRST_ABSENCE << self.absences[lane].min(32);
+            self.absences[lane] += 1;
+            self.depart(lane, self.step.saturating_add(absence));
+        }
+    }
+
+    /// Takes in the limits of those who are due, and the larger ones of others.
+    fn learn(&mut self, open: &Mask, limits: &[Row]) {
+        for lane in (0..WIDTH).filter(|lane| open[*lane]) {
+            let is_due = self.is_due(lane);
+            if is_due && self.shifts.are_many(lane) {
+                self.due[lane] = self.step + 1 + u64::from(TRUSTED_STEPS);
+            }
+            for (enough, limit) in self.enough.iter_mut().zip(limits) {
+                if is_due || limit[lane] > enough[lane] {
+                    enough[lane] = limit[lane];
+                }
+            }
+        }
+    }
+}
