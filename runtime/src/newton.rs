@@ -8,7 +8,6 @@ use crate::linear::SquareMatrix;
 use crate::report::History;
 use crate::report::Report;
 use crate::report::Statistics;
-use crate::report::Success;
 use crate::scalar::Real;
 use crate::settings::MOST_GROWTH;
 use crate::settings::MOST_QUICK;
@@ -67,14 +66,7 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
     ) -> Result<(S::Unknowns, Report), Fault> {
         let guess = S::guess(scene, step);
         if guess.as_ref().is_empty() {
-            let (iterations, success) = (0, Success::Converged);
-            return Ok((
-                guess,
-                Report {
-                    iterations,
-                    success,
-                },
-            ));
+            return Ok((guess, Report::converged(0)));
         }
         let (x, report) = match self.solve_quickly(scene, step, guess, statistics) {
             Some(solved) => solved,
@@ -112,14 +104,7 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
             subtract(&mut x, &correction);
             if self.is_enough(&correction) {
                 self.trust -= 1;
-                let success = Success::Converged;
-                return Some((
-                    x,
-                    Report {
-                        iterations,
-                        success,
-                    },
-                ));
+                return Some((x, Report::converged(iterations)));
             }
         }
         None

@@ -18,6 +18,16 @@ pub struct Report {
     pub success: Success,
 }
 
+impl Report {
+    /// Accepted after so many corrections.
+    pub(crate) fn converged(iterations: usize) -> Self {
+        Self {
+            iterations,
+            success: Success::Converged,
+        }
+    }
+}
+
 /// What a run has cost so far, failed steps included.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Statistics {

@@ -10,7 +10,6 @@ use crate::model::Flow;
 use crate::report::History;
 use crate::report::Report;
 use crate::report::Statistics;
-use crate::report::Success;
 use crate::scalar::Real;
 
 /// A run of the continuous equations dx/dt = f(t, x) of the model `M` with the classical method of order 4:
@@ -56,10 +55,7 @@ impl<M: Flow<T>, T: Real> Method<T> for Explicit<M, T> {
             *next = *next + sixth * (k1.as_ref()[i] + middle + k4.as_ref()[i]);
         }
         *x = require_finite(next)?;
-        Ok(Report {
-            iterations: 0,
-            success: Success::Converged,
-        })
+        Ok(Report::converged(0))
     }
 
     fn history(&self) -> History {

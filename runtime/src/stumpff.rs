@@ -56,8 +56,8 @@ fn long_series<T: Scalar + PartialOrd>(n: u32, s: T, epsilon: f64) -> T {
 }
 
 /// The terms up to j = `last`.
-#[inline]
-fn horner<T: Scalar>(n: u32, s: T, last: u32) -> T {
+#[inline(always)]
+pub(crate) fn horner<T: Scalar>(n: u32, s: T, last: u32) -> T {
     let coefficient = |j: u32| T::constant(inverse_factorial(n + 2 * j));
     (0..last)
         .rev()
@@ -112,7 +112,7 @@ const fn factorial(n: u32) -> f64 {
 }
 
 /// 1/n!
-#[inline]
+#[inline(always)]
 fn inverse_factorial(n: u32) -> f64 {
     let known = INVERSE_FACTORIALS.get(n as usize);
     known.copied().unwrap_or_else(|| 1.0 / factorial(n))
