@@ -4,6 +4,8 @@ use crate::points::Points;
 use residua::Settings;
 use residua::description::Variable;
 use residua::erased::{AnySolver, Catalogued, Point, Run};
+use residua_models::columns::total;
+use residua_models::values;
 use std::ops::ControlFlow;
 
 /// A model, its parameters and its start values, flat and in file order.
@@ -20,19 +22,15 @@ pub struct Case {
 impl Case {
     /// The values of the model file.
     pub fn of_file(model: &'static Catalogued) -> Self {
-        let mut parameters = vec![0.0; total(model.description.parameters)];
-        model.model.defaults(&mut parameters);
-        Self::with_parameters(model, parameters)
+        Self::with_parameters(model, values::defaults(model))
     }
 
     /// The start values of the file for these parameters.
     pub fn with_parameters(model: &'static Catalogued, parameters: Vec<f64>) -> Self {
-        let mut start = vec![0.0; total(model.description.states)];
-        model.model.start(&parameters, &mut start);
         Case {
             model,
+            start: values::start(model, &parameters),
             parameters,
-            start,
         }
     }
 
@@ -116,7 +114,7 @@ impl Case {
     /// Invariants and observables at `state`.
     pub fn outputs(&self, h: f64, state: &[f64]) -> Vec<f64> {
         let variables = self.model.description.outputs.iter().map(|o| &o.variable);
-        let mut out = vec![0.0; variables.map(|v| v.rows * v.cols).sum()];
+        let mut out = vec![0.0; total(variables)];
         self.model
             .model
             .outputs(&self.parameters, h, 0.0, state, &mut out);
@@ -128,11 +126,6 @@ impl Case {
 pub fn solver(model: &Catalogued, form: &str) -> &'static dyn AnySolver {
     let found = model.solvers.iter().find(|s| s.solver().form == form);
     *found.unwrap_or_else(|| panic!("{} has no form {form}", model.description.name))
-}
-
-/// Scalars in these variables.
-pub fn total(variables: &[Variable]) -> usize {
-    variables.iter().map(|v| v.rows * v.cols).sum()
 }
 
 fn vary(variable: &Variable, values: &mut [f64], points: &mut Points) {

@@ -1,8 +1,10 @@
 //! A catalogued model with parameters and a start.
 
+use crate::columns::size;
+use crate::columns::total;
+use crate::values;
 use residua::Catalogued;
 use residua::Settings;
-use residua::description::Variable;
 use residua::erased::Run;
 
 /// A model, its parameters and its start values, flat and in file order.
@@ -19,19 +21,15 @@ pub struct Case {
 impl Case {
     /// The values of the model file.
     pub fn of_file(model: &'static Catalogued) -> Self {
-        let mut parameters = vec![0.0; total(model.description.parameters)];
-        model.model.defaults(&mut parameters);
-        Self::with_parameters(model, parameters)
+        Self::with_parameters(model, values::defaults(model))
     }
 
     /// The start values of the file for these parameters.
     pub fn with_parameters(model: &'static Catalogued, parameters: Vec<f64>) -> Self {
-        let mut start = vec![0.0; total(model.description.states)];
-        model.model.start(&parameters, &mut start);
         Case {
             model,
+            start: values::start(model, &parameters),
             parameters,
-            start,
         }
     }
 
@@ -71,14 +69,4 @@ impl Case {
         model.outputs(&self.parameters, h, t, state, &mut out);
         out
     }
-}
-
-/// Number of components.
-pub(super) fn size(variable: &Variable) -> usize {
-    variable.rows * variable.cols
-}
-
-/// Number of components of several variables.
-pub(super) fn total<'v>(variables: impl IntoIterator<Item = &'v Variable>) -> usize {
-    variables.into_iter().map(size).sum()
 }

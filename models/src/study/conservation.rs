@@ -1,12 +1,12 @@
 //! What a scheme conserves: to rounding, to an order of the step, or not.
 
 use super::case::Case;
-use super::case::size;
 use super::decay::Decay;
 use super::distance::largest_difference;
 use super::distance::largest_size;
 use super::method::Method;
 use super::trial::Trial;
+use crate::columns::size;
 use residua::RunError;
 use serde::Serialize;
 

@@ -5,8 +5,8 @@
 //! matched. An angle counted in full turns is not one that jumps by 2π; their sines and cosines are equal.
 
 use super::case::Case;
-use super::case::size;
 use super::distance::largest_size;
+use crate::columns::size;
 use residua::description::Variable;
 use residua::erased::Sample;
 use std::ops::ControlFlow;

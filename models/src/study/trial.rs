@@ -1,9 +1,9 @@
 //! A run that is watched.
 
 use super::case::Case;
-use super::case::size;
 use super::distance::largest_difference;
 use super::method::Method;
+use crate::columns::size;
 use residua::RunError;
 use residua::Statistics;
 use residua::erased::Sample;
