@@ -33,28 +33,14 @@ impl Report {
 pub struct Statistics {
     /// Accepted steps.
     pub steps: u64,
-    /// Newton corrections applied.
+    /// Newton corrections applied, each of one residual, one Jacobian and one linear system.
     pub iterations: u64,
-    /// Evaluations of the residual.
+    /// Residuals evaluated besides, to judge a correction.
     pub residuals: u64,
-    /// Evaluations of the Jacobian.
-    pub jacobians: u64,
-    /// Factorizations of the Jacobian.
-    pub factorizations: u64,
     /// Evaluations of the continuous equations.
     pub flows: u64,
     /// Steps for which the core failed or could not be trusted, so that all unknowns were iterated on.
     pub fallbacks: u64,
-}
-
-impl Statistics {
-    /// Takes in residual, Jacobian and solution of one Newton correction.
-    pub(crate) fn count_iteration(&mut self) {
-        self.iterations += 1;
-        self.residuals += 1;
-        self.jacobians += 1;
-        self.factorizations += 1;
-    }
 }
 
 /// Corrections that a [`History`] keeps.

@@ -81,7 +81,7 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
         let mut before = T::constant(0.0);
         while self.history.iterations() < self.settings.max_iterations {
             S::residual_and_jacobian(scene, step, &self.x, &mut self.r, &mut self.j);
-            statistics.count_iteration();
+            statistics.iterations += 1;
             require_finite(&self.r)?;
 
             let correction = self.j.solve(&self.r).ok_or(Failure::Singular)?;
