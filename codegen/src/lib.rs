@@ -51,6 +51,7 @@ pub mod specialise;
 pub mod stage;
 pub mod structure;
 pub mod system;
+pub mod trace;
 pub mod unit;
 
 pub use compile::Analysis;

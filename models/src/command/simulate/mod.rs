@@ -1,6 +1,7 @@
 //! `residua simulate`: a run, its rows, its picture, and a summary.
 
 mod drift;
+mod failed;
 pub mod plan;
 mod recorder;
 mod rows;
@@ -18,7 +19,7 @@ use recorder::Recorder;
 use residua::description::Description;
 use residua::erased::{Observer, Run, Sample};
 use residua::{Catalogued, RunError, Settings, Statistics, Strategy};
-use residua_models::find;
+use residua_models::{Entry, find};
 use rows::Rows;
 use std::fs::File;
 use std::io::{self, BufWriter, IsTerminal, Write};
@@ -105,7 +106,8 @@ impl From<StrategyName> for Strategy {
 impl Simulate {
     /// Runs the model.
     pub fn run(self) -> Result<(), Failure> {
-        let model = find(&self.model)?.catalogued;
+        let entry = find(&self.model)?;
+        let model = entry.catalogued;
         let plan = plan(&self, model)?;
         if let Some(note) = plan.note.as_ref().filter(|_| !self.quiet) {
             eprintln!("note: {note}");
@@ -118,7 +120,7 @@ impl Simulate {
         let picture = self.plot.as_deref().map(create).transpose()?;
         let mut recorder = self.recorder(model, &plan)?;
         let clock = Instant::now();
-        let outcome = self.advance(&plan, &mut recorder);
+        let outcome = self.advance(entry, &plan, &mut recorder);
         let elapsed = clock.elapsed();
         let recorded = recorder.finish()?;
         // What was computed before a failure is as good as in any run, so it is shown as well.
@@ -165,10 +167,21 @@ impl Simulate {
         Ok(())
     }
 
-    fn advance(&self, plan: &Plan, recorder: &mut Recorder) -> Result<Statistics, Failure> {
+    fn advance(
+        &self,
+        entry: &Entry,
+        plan: &Plan,
+        recorder: &mut Recorder,
+    ) -> Result<Statistics, Failure> {
         let mut observer = |sample: Sample<'_>| recorder.take(&sample);
-        let outcome = simulate(plan, &self.planned(plan), &mut observer);
-        outcome.map_err(|error| Failure::Run(error.to_string()))
+        let run = self.planned(plan);
+        let outcome = simulate(plan, &run, &mut observer);
+        outcome.map_err(|error| match (&error, &plan.scheme) {
+            (RunError::Step(step), Scheme::Newton(solver)) => {
+                Failure::Run(failed::explain(entry, *solver, &run, step))
+            }
+            _ => Failure::Run(error.to_string()),
+        })
     }
 
     fn planned<'a>(&self, plan: &'a Plan) -> Run<'a> {
