@@ -18,8 +18,11 @@ const MODEL: &str = "model! {
     start { x = 0; y = [1, 2]; }
 }";
 
-/// The expression and its operands, as written, at a state and unknowns.
-fn blamed(state: [f64; 3], unknowns: [f64; 3]) -> Option<(String, Vec<(String, Vec<f64>)>)> {
+/// As written, with its components.
+type Written = (String, Vec<f64>);
+
+/// The expression and its operands at a state and unknowns.
+fn blamed(state: [f64; 3], unknowns: [f64; 3]) -> Option<(String, Vec<Written>)> {
     let tokens: TokenStream = read_source(MODEL.as_bytes()).unwrap();
     let model = analyse("m", tokens).unwrap().model;
     let point = Point {
