@@ -23,6 +23,7 @@ pub mod notation;
 pub mod plot;
 pub mod replay;
 pub mod report;
+pub mod stress;
 pub mod study;
 pub mod values;
 

@@ -71,6 +71,7 @@ mod newton;
 mod report;
 mod runge_kutta;
 mod scalar;
+mod sensitivity;
 mod settings;
 mod shifts;
 #[cfg(test)]
