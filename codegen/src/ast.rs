@@ -193,6 +193,36 @@ pub struct Equation {
     pub range: Range,
 }
 
+/// How the two sides of a requirement compare.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Relation {
+    /// `a < b`
+    Less,
+    /// `a <= b`
+    LessOrEqual,
+    /// `a > b`
+    Greater,
+    /// `a >= b`
+    GreaterOrEqual,
+}
+
+/// `require lhs < rhs else "…";`
+#[derive(Clone, Debug)]
+pub struct Requirement {
+    /// Left of the relation.
+    pub lhs: ExprId,
+    /// The relation.
+    pub relation: Relation,
+    /// Right of it.
+    pub rhs: ExprId,
+    /// What it means if they do not compare so.
+    pub otherwise: String,
+    /// The source text of both sides, blanks normalised, for reports.
+    pub text: String,
+    /// Both sides, from the first token to the last.
+    pub range: Range,
+}
+
 /// `name = value;` in `start` and `update`.
 #[derive(Clone, Debug)]
 pub struct Assignment {
@@ -339,6 +369,8 @@ pub enum Item {
     Output(Output),
     /// `claim jacobian "..." { ... }`
     Claim(Claim),
+    /// `require m > 0 else "...";`
+    Requirement(Requirement),
 }
 
 /// A lone expression, such as a value on the command line.

@@ -229,6 +229,7 @@ fn continuous(model: &Model) -> Result<(Equations, Vec<Option<Finding>>), Errors
         defaults,
         start,
         outputs,
+        requirements,
         claims,
         ..
     } = lowered;
@@ -239,6 +240,7 @@ fn continuous(model: &Model) -> Result<(Equations, Vec<Option<Finding>>), Errors
         defaults,
         start,
         outputs,
+        requirements,
         flow,
     };
     Ok((equations, findings))

@@ -103,7 +103,8 @@ pub const TABLE: &[(&str, Function, usize)] = &[
 ];
 
 /// What the language leaves out: a Newton iteration needs derivatives everywhere.
-pub const NO_CONDITIONALS: &str = "the language has neither comparisons nor conditionals";
+pub const NO_CONDITIONALS: &str =
+    "comparisons stand in `require` only, and there are no conditionals";
 
 impl Function {
     /// The function called `name`, if there is one.

@@ -68,7 +68,7 @@ pub fn lower_expressions(
     errors.or((dag, lowered))
 }
 
-/// Defaults, start, outputs and flow of `model` as scalars.
+/// Defaults, start, outputs, requirements and flow of `model` as scalars.
 ///
 /// # Errors
 /// As [`lower_discrete`].
@@ -86,6 +86,12 @@ pub fn lower_continuous(model: &Model) -> Result<Continuous, Errors> {
     for output in &model.outputs {
         outputs.extend(context.components(output.value, output.variable.shape));
     }
+    let mut requirements = Vec::new();
+    for requirement in &model.requirements {
+        let sides = [requirement.lhs, requirement.rhs];
+        let sides = sides.map(|side| context.components(side, requirement.shape));
+        requirements.push(sides.concat());
+    }
     let flow = differences(&mut context, &model.flow);
     let claims = claims(&mut context, &|kind| kind == ClaimKind::Flow);
     let Context { dag, errors, .. } = context;
@@ -94,6 +100,7 @@ pub fn lower_continuous(model: &Model) -> Result<Continuous, Errors> {
         defaults,
         start,
         outputs,
+        requirements,
         flow,
         claims,
     })

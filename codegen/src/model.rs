@@ -8,6 +8,7 @@ use crate::ast::Form;
 use crate::ast::Level;
 use crate::ast::Name;
 use crate::ast::OutputKind;
+use crate::ast::Relation;
 use crate::diagnostic::Range;
 use crate::function::Function;
 use crate::unit::Unit;
@@ -155,6 +156,28 @@ pub struct Output {
     pub value: ExprId,
 }
 
+/// What the data of a run must be like.
+///
+/// Vectors compare component by component. Square matrices compare as quadratic forms (Loewner's order): `A > B` where
+/// A − B is symmetric and positive definite, `A >= B` where it may be singular.
+#[derive(Clone, Debug)]
+pub struct Requirement {
+    /// Left of the relation; depends on parameters, h and the state.
+    pub lhs: ExprId,
+    /// The relation.
+    pub relation: Relation,
+    /// Right of it, as the left.
+    pub rhs: ExprId,
+    /// Shape of both.
+    pub shape: Shape,
+    /// What it means if they do not compare so.
+    pub otherwise: String,
+    /// Source text of both sides for reports.
+    pub text: String,
+    /// Where they stand.
+    pub range: Range,
+}
+
 /// What a paper prints. Whether it has the shape of what it is compared with is not checked: a misfit is a
 /// finding.
 #[derive(Clone, Debug)]
@@ -298,6 +321,8 @@ pub struct Model {
     pub forms: Vec<Form>,
     /// What papers print.
     pub claims: Vec<Claim>,
+    /// What the data of a run must be like.
+    pub requirements: Vec<Requirement>,
 }
 
 impl Model {

@@ -113,6 +113,8 @@ pub enum SkippedKind {
     Equation,
     /// An output.
     Output,
+    /// A requirement.
+    Requirement,
     /// The continuous equations.
     Flow,
 }
@@ -127,6 +129,7 @@ impl SkippedKind {
             SkippedKind::Unknown => "unknown",
             SkippedKind::Equation => "equation",
             SkippedKind::Output => "output",
+            SkippedKind::Requirement => "requirement",
             SkippedKind::Flow => "flow",
         }
     }

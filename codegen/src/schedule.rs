@@ -126,6 +126,8 @@ pub struct Program {
     pub start: Schedule,
     /// Kernel `outputs`.
     pub outputs: Schedule,
+    /// Kernel `requirement` of each: its left and then its right side.
+    pub requirements: Vec<Schedule>,
     /// Kernel `flow`, if the model has one.
     pub flow: Option<Schedule>,
     /// One per form.

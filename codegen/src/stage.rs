@@ -54,6 +54,11 @@ pub fn program(equations: &Equations, systems: &[System]) -> Program {
         defaults: one("defaults", Rate::Scene, &equations.defaults),
         start: one("start", Rate::Scene, &equations.start),
         outputs: one("outputs", Rate::Step, &equations.outputs),
+        requirements: equations
+            .requirements
+            .iter()
+            .map(|roots| one("requirement", Rate::Step, roots))
+            .collect(),
         flow: equations
             .flow
             .as_ref()

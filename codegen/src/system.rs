@@ -53,6 +53,8 @@ pub struct Continuous {
     pub start: Vec<NodeId>,
     /// Each output component.
     pub outputs: Vec<NodeId>,
+    /// The components of the left and then of the right side of each requirement.
+    pub requirements: Vec<Vec<NodeId>>,
     /// Left − right of each continuous equation; the rates are its unknowns, in state order.
     pub flow: Vec<NodeId>,
     /// Each claim of the model; nothing for one about the discrete equations.
@@ -167,6 +169,8 @@ pub struct Equations {
     pub start: Vec<NodeId>,
     /// Each output component.
     pub outputs: Vec<NodeId>,
+    /// The components of the left and then of the right side of each requirement.
+    pub requirements: Vec<Vec<NodeId>>,
     /// dx/dt of each state component, if the model has a flow.
     pub flow: Option<Vec<NodeId>>,
 }

@@ -206,7 +206,7 @@ fn mutated_models_are_survived() {
     words(lex(GOOD).expect("lexes"), &mut good);
     let mut random = Random(SEED);
     let mut models = 0;
-    for _ in 0..1000 {
+    for _ in 0..2000 {
         let mut words = good.clone();
         for _ in 0..=random.below(3) {
             let (i, j) = (random.below(words.len()), random.below(words.len()));

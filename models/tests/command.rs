@@ -56,7 +56,7 @@ fn show_says_everything_about_a_model() {
 
 #[test]
 fn a_reader_that_leaves_is_no_error() {
-    for line in ["simulate planar_reduced --until 1000", "list --json"] {
+    for line in ["simulate spherical --until 1000", "list --json"] {
         let mut child = Command::new(env!("CARGO_BIN_EXE_residua"))
             .args(line.split(' '))
             .stdout(Stdio::piped())

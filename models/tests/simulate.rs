@@ -214,6 +214,48 @@ fn outputs_without_a_value_are_counted() {
 }
 
 #[test]
+fn data_that_no_body_has_are_warned_of() {
+    let outcome = succeed("simulate planar_reduced --until 0.1 --out -");
+    let expected = "warning: less inertia about the pivot than a point mass at the centre has: J >= m*l^2 (line 38 of \
+                    planar_reduced.model)";
+    assert!(outcome.stderr.contains(expected), "{}", outcome.stderr);
+    let quiet = succeed("simulate planar_reduced --until 0.1 --out - --quiet");
+    assert_eq!(quiet.stderr, "");
+    // 0.72 = m l² is a point mass, and no less than it has.
+    let outcome = succeed("simulate planar_reduced --until 0.1 --out - --set J=0.72");
+    assert!(!outcome.stderr.contains("warning"), "{}", outcome.stderr);
+    // A plate has J₁ + J₂ = J₃, and nothing has more.
+    let run = |j: &str| {
+        succeed(&format!(
+            "simulate spatial_reduced --until 0.1 --out - --set m=0.1 --set J={j}"
+        ))
+    };
+    assert_eq!(run("diag(1,2,3)").stderr.matches("warning").count(), 0);
+    let warned = run("diag(1,2,3.1)").stderr;
+    assert!(
+        warned.contains("exceeds the sum of the other two: trace(J)/2*I >= J"),
+        "{warned}"
+    );
+    let indefinite = run("[[1,2,0],[2,1,0],[0,0,1]]").stderr;
+    assert!(
+        indefinite.contains("not positive definite: J > 0"),
+        "{indefinite}"
+    );
+    let long = succeed("simulate spatial_reduced --until 0.1 --out - --start Γ=[0,0,2]").stderr;
+    assert!(
+        long.contains("Γ is not a unit vector: abs(norm(Γ) - 1) < 1e-9"),
+        "{long}"
+    );
+}
+
+#[test]
+fn a_scene_warns_in_the_words_of_its_model() {
+    let outcome = succeed("simulate paper_spatial --until 0.1 --out -");
+    let expected = "J >= m*S(ρ)*S(ρ).T (line 62 of spatial_group.model)";
+    assert!(outcome.stderr.contains(expected), "{}", outcome.stderr);
+}
+
+#[test]
 fn rows_and_picture_need_two_files() {
     let line = "simulate elastic --until 0.1 --out one --plot one";
     let outcome = residua_in(&folder("one_file"), line);

@@ -121,6 +121,13 @@ fn who_fails_has_a_row_that_says_so() {
 }
 
 #[test]
+fn data_that_no_body_has_are_counted() {
+    let outcome = succeed("sweep planar_reduced --over J=0.1..1:10 --until 0.1 --out -");
+    let expected = "warning: in 7 of 10 trajectories less inertia about the pivot";
+    assert!(outcome.stderr.contains(expected), "{}", outcome.stderr);
+}
+
+#[test]
 fn a_scene_is_swept_as_it_is_simulated() {
     let row = |line: &str| table(&succeed(line).stdout).1.pop().expect("a row");
     // Its own step and end, and the columns that it keeps.

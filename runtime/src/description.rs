@@ -19,6 +19,8 @@ pub struct Description {
     pub solvers: &'static [Solver],
     /// What papers print, compared with the derivative at build time.
     pub claims: &'static [Claim],
+    /// What the data of a run must be like, see [`Model::meets`](crate::Model::meets).
+    pub requirements: &'static [Requirement],
     /// It has continuous equations.
     pub has_flow: bool,
     /// Operation counts of what belongs to no solver: outputs, flow.
@@ -104,6 +106,17 @@ pub struct Output {
     pub variable: Variable,
     /// Constant along solutions of the continuous equations.
     pub invariant: bool,
+}
+
+/// What the data of a run must be like.
+#[derive(Debug)]
+pub struct Requirement {
+    /// Its text: `m > 0`.
+    pub text: &'static str,
+    /// What it means if that does not hold.
+    pub otherwise: &'static str,
+    /// Its line in the file.
+    pub line: usize,
 }
 
 /// One solver.

@@ -62,6 +62,7 @@ static NOTHING: Description = Description {
     outputs: &[],
     solvers: &[],
     claims: &[],
+    requirements: &[],
     has_flow: false,
     counts: &[],
     scene: None,

@@ -69,6 +69,7 @@ mod linear;
 mod model;
 mod newton;
 mod report;
+mod requirement;
 mod runge_kutta;
 mod scalar;
 mod sensitivity;
@@ -119,6 +120,8 @@ pub use report::History;
 pub use report::Report;
 pub use report::Statistics;
 pub use report::Success;
+pub use requirement::Relation;
+pub use requirement::unmet;
 #[cfg(feature = "macros")]
 pub use residua_macros::*;
 pub use runge_kutta::Explicit;

@@ -2,6 +2,7 @@
 
 use crate::description::Description;
 use crate::description::Unknown;
+use crate::scalar::Real;
 use crate::scalar::Scalar;
 
 /// A fixed number of scalars under names: parameters, states or outputs of a model.
@@ -45,6 +46,21 @@ pub trait Model<T: Scalar> {
     fn start(parameters: &Self::Parameters) -> Self::State;
     /// Invariants and observables at time `t` and `state` of a run with step `h`.
     fn outputs(parameters: &Self::Parameters, h: T, t: T, state: &Self::State) -> Self::Outputs;
+    /// Whether the data of a run meet a requirement of the file, by its position in [`Description::requirements`].
+    ///
+    /// Nothing is refused for not meeting one: equations can be solved for bodies that cannot exist.
+    /// [`unmet`](crate::unmet) lists those that are not met.
+    fn meets(
+        _requirement: usize,
+        _parameters: &Self::Parameters,
+        _h: T,
+        _state: &Self::State,
+    ) -> bool
+    where
+        T: Real,
+    {
+        true
+    }
 }
 
 /// A model with continuous equations. Implemented by the generated `Model` where the file has a `flow`.

@@ -40,6 +40,9 @@ pub(super) fn check_all<'a>(typing: &mut Typing<'a>, statements: &Statements<'a>
         .flat_map(|claim| &claim.equations)
         .flat_map(|e| [(None, e.lhs), (None, e.rhs)]);
     check(typing, Context::ClaimedFlow, roots.collect());
+    let requirements = statements.requirements.iter();
+    let roots = requirements.flat_map(|r| [(None, r.lhs), (None, r.rhs)]);
+    check(typing, Context::Requirement, roots.collect());
 }
 
 /// The same for the values of all declarations of one kind, which stand in `context`.
@@ -61,6 +64,7 @@ pub(super) enum Context {
     Flow,
     ClaimedFlow,
     Output,
+    Requirement,
     /// On the command line.
     Value,
 }
@@ -75,6 +79,7 @@ impl Context {
             Context::Flow => "the flow",
             Context::ClaimedFlow => "a claimed flow",
             Context::Output => "the output",
+            Context::Requirement => "a requirement",
             Context::Value => return "the value".to_owned(),
         };
         match name {
@@ -96,6 +101,9 @@ impl Context {
                 "it may contain parameters, t, states and rates, without time levels"
             }
             Context::Output => "it may contain parameters, h, t and states, without time levels",
+            Context::Requirement => {
+                "it is about the start of a run: it may contain parameters, h and states, without time levels"
+            }
         }
     }
 
@@ -115,6 +123,7 @@ impl Context {
                 matches!(mention, Parameter | Rate | Time(None) | State(None))
             }
             Context::Output => matches!(mention, Parameter | StepSize | Time(None) | State(None)),
+            Context::Requirement => matches!(mention, Parameter | StepSize | State(None)),
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Equations and claims: do both sides have one shape and one unit?
+//! Equations, claims and requirements: do both sides have one shape and one unit?
 
 use super::statements::Block;
 use super::types::Type;
@@ -6,8 +6,11 @@ use super::typing::Typing;
 use crate::ast;
 use crate::ast::ClaimKind;
 use crate::ast::ExprId;
+use crate::diagnostic::Range;
 use crate::model::Claim;
 use crate::model::Equation;
+use crate::model::Requirement;
+use crate::model::Shape;
 
 impl Typing<'_> {
     /// The discrete equations.
@@ -21,9 +24,20 @@ impl Typing<'_> {
     }
 
     fn equation(&mut self, equation: &ast::Equation) -> Option<Equation> {
-        let lhs = self.expression(equation.lhs);
-        let rhs = self.expression(equation.rhs);
-        let range = equation.range;
+        let (lhs, rhs, shape) = self.sides(equation.lhs, equation.rhs, equation.range)?;
+        Some(Equation {
+            lhs,
+            rhs,
+            shape,
+            text: equation.text.clone(),
+            range: equation.range,
+        })
+    }
+
+    /// Both sides and their shape; none after a complaint.
+    fn sides(&mut self, lhs: ExprId, rhs: ExprId, range: Range) -> Option<(ExprId, ExprId, Shape)> {
+        let lhs = self.expression(lhs);
+        let rhs = self.expression(rhs);
         if matches!(self.ty(lhs), Type::Poison) || matches!(self.ty(rhs), Type::Poison) {
             return None;
         }
@@ -46,13 +60,27 @@ impl Typing<'_> {
                 format!("the left side has the unit {left}, the right side {right}{position}")
             },
         );
-        Some(Equation {
-            lhs,
-            rhs,
-            shape,
-            text: equation.text.clone(),
-            range,
-        })
+        Some((lhs, rhs, shape))
+    }
+
+    /// What the data of a run must be like.
+    pub(super) fn requirements(&mut self, list: &[&ast::Requirement]) -> Vec<Requirement> {
+        let typed = |requirement: &&ast::Requirement| {
+            let &&ast::Requirement {
+                lhs, rhs, range, ..
+            } = requirement;
+            let (lhs, rhs, shape) = self.sides(lhs, rhs, range)?;
+            Some(Requirement {
+                lhs,
+                relation: requirement.relation,
+                rhs,
+                shape,
+                otherwise: requirement.otherwise.clone(),
+                text: requirement.text.clone(),
+                range,
+            })
+        };
+        list.iter().filter_map(typed).collect()
     }
 
     /// The claims. Units inside them are not compared: what a paper prints need not be right.

@@ -71,6 +71,7 @@ pub fn check(ast: &Ast) -> Result<Model, Errors> {
     let flow = typing.flow(statements.flow, &variables);
     let residual = typing.residual(statements.residual);
     let claims = typing.claims(&statements.claims);
+    let requirements = typing.requirements(&statements.requirements);
 
     let advance = Advance::new(&typing, &variables, &unknowns, &update);
     advance.check(&mut typing, statements.residual, &residual);
@@ -97,6 +98,7 @@ pub fn check(ast: &Ast) -> Result<Model, Errors> {
         flow,
         outputs,
         claims,
+        requirements,
     };
     typing.into_errors().or(model)
 }

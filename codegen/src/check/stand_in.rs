@@ -78,6 +78,7 @@ pub fn stand_in(ast: &Ast) -> Model {
         outputs: outputs(&mut typing),
         forms: vec![Form::Next, Form::Increment],
         claims: Vec::new(),
+        requirements: Vec::new(),
     }
 }
 

@@ -8,6 +8,7 @@ use crate::ast::Claim;
 use crate::ast::Equation;
 use crate::ast::Form;
 use crate::ast::Item;
+use crate::ast::Requirement;
 use crate::diagnostic::Errors;
 use crate::diagnostic::Range;
 
@@ -23,6 +24,7 @@ pub(super) struct Statements<'a> {
     pub(super) start: Block<'a, Assignment>,
     pub(super) solve_for: Block<'a, (Form, Range)>,
     pub(super) claims: Vec<&'a Claim>,
+    pub(super) requirements: Vec<&'a Requirement>,
 }
 
 impl<'a> Statements<'a> {
@@ -41,6 +43,7 @@ impl<'a> Statements<'a> {
                     once(&mut statements.solve_for, list, *at, "solve for", errors);
                 }
                 Item::Claim(claim) => statements.claims.push(claim),
+                Item::Requirement(requirement) => statements.requirements.push(requirement),
                 Item::Parameter(_)
                 | Item::State(_)
                 | Item::Unknown(_)

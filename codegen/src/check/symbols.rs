@@ -263,7 +263,8 @@ fn declaration(item: &Item) -> Option<Symbol<'_>> {
         | Item::SolveFor(..)
         | Item::Update(..)
         | Item::Start(..)
-        | Item::Claim(_) => return None,
+        | Item::Claim(_)
+        | Item::Requirement(_) => return None,
     };
     Some(Symbol {
         kind,

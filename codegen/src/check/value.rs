@@ -57,6 +57,7 @@ pub fn check_value(
         exprs: std::mem::take(&mut typing.exprs),
         forms: Vec::new(),
         claims: Vec::new(),
+        requirements: Vec::new(),
     };
     typing.into_errors().or(model)
 }

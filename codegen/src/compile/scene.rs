@@ -218,6 +218,11 @@ fn point_into(file: &Model, model: &mut Model) {
         to.range = from.range;
         to.text.clone_from(&from.text);
     });
+    let requirements = model.requirements.iter_mut().zip(&file.requirements);
+    requirements.for_each(|(to, from)| {
+        to.range = from.range;
+        to.text.clone_from(&from.text);
+    });
 }
 
 /// The parameters that are folded in, as numbers.

@@ -43,6 +43,7 @@ pub(super) fn emit(
     });
     let solvers = program.solvers.iter().map(|s| solver(model, s));
     let claims = findings.iter().map(claim);
+    let requirements = super::requirements::described(model);
     let has_flow = program.flow.is_some();
     let counts = std::iter::once(&program.outputs).chain(&program.flow);
     let counts = counts.flat_map(self::counts);
@@ -60,6 +61,7 @@ pub(super) fn emit(
             outputs: &[#(#outputs),*],
             solvers: &[#(#solvers),*],
             claims: &[#(#claims),*],
+            requirements: &[#(#requirements),*],
             has_flow: #has_flow,
             counts: &[#(#counts),*],
             scene: #scene,

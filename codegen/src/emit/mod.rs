@@ -15,6 +15,7 @@ mod names;
 mod number;
 mod phrase;
 mod record;
+mod requirements;
 mod scope;
 mod solver;
 mod statements;

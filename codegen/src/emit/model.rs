@@ -3,6 +3,7 @@
 use super::allow;
 use super::context::Context;
 use super::record::Record;
+use super::requirements;
 use crate::model::Model;
 use crate::schedule::Program;
 use crate::schedule::Schedule;
@@ -15,6 +16,7 @@ pub(super) fn emit(model: &Model, program: &Program) -> TokenStream {
     let defaults = defaults(model, &program.defaults);
     let start = start(model, &program.start);
     let outputs = outputs(model, &program.outputs);
+    let meets = requirements::meets(model, program);
     let allow = allow();
     quote! {
         #(#[doc = #doc])*
@@ -34,6 +36,8 @@ pub(super) fn emit(model: &Model, program: &Program) -> TokenStream {
                 #start
 
                 #outputs
+
+                #meets
             }
         }
     }

@@ -79,15 +79,15 @@ impl Parser {
         Ok(Assignment { name, value })
     }
 
-    /// `claim jacobian "Eq. 50" { … }`, the word `claim` already passed unless `required`.
+    /// `claim jacobian "Eq. 50" { … }`, the word `claim` already passed unless it is `required`.
     pub(super) fn claim(
         &mut self,
         cursor: &mut Cursor,
         keyword: Range,
         required: bool,
     ) -> Parsed<Item> {
-        if required && !cursor.eat_word("claim") {
-            return Err(cursor.unexpected("`claim`"));
+        if required {
+            cursor.skip();
         }
         let kind = ClaimKind::ALL
             .into_iter()

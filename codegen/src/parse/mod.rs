@@ -10,6 +10,7 @@ mod cursor;
 mod expression;
 mod name;
 mod number;
+mod requirement;
 mod scene;
 mod statement;
 #[cfg(test)]

@@ -66,7 +66,8 @@ impl Parser {
             "solve" => self.solve_for(cursor, keyword),
             "invariant" => self.output(cursor, doc, OutputKind::Invariant),
             "observe" => self.output(cursor, doc, OutputKind::Observable),
-            "require" => self.claim(cursor, keyword, true),
+            "require" if cursor.peeks_word("claim") => self.claim(cursor, keyword, true),
+            "require" => self.requirement(cursor),
             _ => self.claim(cursor, keyword, false),
         }
     }

@@ -27,6 +27,7 @@ pub(super) fn equations(equations: &Equations, is_fixed: &[bool]) -> Result<Equa
         defaults,
         start,
         outputs,
+        requirements,
         flow,
         ..
     } = equations;
@@ -42,13 +43,16 @@ pub(super) fn equations(equations: &Equations, is_fixed: &[bool]) -> Result<Equa
         vanishing_divisors(&dag, &equations.dag, &grafted).is_empty()
     });
     let rates = flow.unwrap_or_default();
-    let roots = [defaults, start, outputs, rates].concat();
+    let required = requirements.concat();
+    let roots = [defaults, start, outputs, &required, rates].concat();
     let grafted = graft(&mut dag, &equations.dag, &roots, put_in)?;
-    let at = |roots: &[NodeId]| roots.iter().map(|r| grafted[r.index()]).collect();
+    let at =
+        |roots: &[NodeId]| -> Vec<NodeId> { roots.iter().map(|r| grafted[r.index()]).collect() };
     Ok(Equations {
         defaults: at(defaults),
         start: at(start),
         outputs: at(outputs),
+        requirements: requirements.iter().map(|sides| at(sides)).collect(),
         flow: flow.map(at),
         dag,
     })
@@ -156,11 +160,14 @@ pub(super) fn equations_with_zeros(equations: &Equations, zeros: &Zeros) -> Equa
     let mut put_in =
         |roots: &[NodeId]| dag.substitute(roots, |leaf| zeros.contain(leaf).then_some(zero));
     let outputs = put_in(&equations.outputs);
+    let requirements = equations.requirements.iter();
+    let requirements = requirements.map(|sides| put_in(sides)).collect();
     let flow = equations.flow.as_deref().map(put_in);
     Equations {
         defaults: equations.defaults.clone(),
         start: equations.start.clone(),
         outputs,
+        requirements,
         flow,
         dag,
     }

@@ -12,6 +12,7 @@ use crate::model::Equation;
 use crate::model::Model;
 use crate::model::Output;
 use crate::model::Parameter;
+use crate::model::Requirement;
 use crate::model::Shape;
 use crate::model::Solved;
 use crate::model::State;
@@ -58,6 +59,7 @@ pub(super) fn narrow(
         outputs: outputs(model, wishes),
         forms: vec![wishes.form],
         claims: Vec::new(),
+        requirements: Vec::new(),
         ..model.clone()
     };
     add_unknowns(model, &pieces, needs, &mut narrowed);
@@ -70,7 +72,12 @@ pub(super) fn narrow(
     if flow.is_none() {
         narrowed.flow.clear();
     }
-    let left_equations = places.equations(equations, &old_states, &outputs, flow);
+    let requirements = model.requirements.iter().zip(&equations.requirements);
+    let (kept, sides): (Vec<&Requirement>, Vec<&Vec<NodeId>>) = requirements
+        .filter(|(_, sides)| is_closed(&equations.dag, sides, &old_states))
+        .unzip();
+    narrowed.requirements = kept.into_iter().cloned().collect();
+    let left_equations = places.equations(equations, &old_states, &outputs, &sides, flow);
     let discrete = places.discrete(solver, &old_states, needs, wishes);
     Left {
         model: narrowed,
@@ -266,12 +273,15 @@ fn flow(equations: &Equations, old_states: &[usize], zeros: &Zeros) -> Option<Ve
     let zeros_stay = stay
         .into_iter()
         .all(|(_, &rate)| equations.dag.is_zero(rate));
-    let is_there = |leaf: &Leaf| match leaf {
+    (zeros_stay && is_closed(&equations.dag, &rates, old_states)).then_some(rates)
+}
+
+/// The states that `roots` depend on are left.
+pub(super) fn is_closed(dag: &Dag, roots: &[NodeId], old_states: &[usize]) -> bool {
+    leaves(dag, roots).iter().all(|leaf| match leaf {
         Leaf::State(i) => old_states.contains(i),
         _ => true,
-    };
-    let is_closed = leaves(&equations.dag, &rates).iter().all(is_there);
-    (zeros_stay && is_closed).then_some(rates)
+    })
 }
 
 /// New positions of inputs.
@@ -318,6 +328,7 @@ impl Places {
         equations: &Equations,
         old_states: &[usize],
         outputs: &[NodeId],
+        requirements: &[&Vec<NodeId>],
         flow: Option<Vec<NodeId>>,
     ) -> Equations {
         let left = self.parameters.iter().zip(&equations.defaults);
@@ -326,9 +337,10 @@ impl Places {
         let rates = flow.clone().unwrap_or_default();
         let mut dag = Dag::new();
         let zero = dag.integer(0);
-        let roots = [&defaults, &start, outputs, rates.as_slice()].concat();
+        let required: Vec<NodeId> = requirements.iter().copied().flatten().copied().collect();
+        let roots = [&defaults, &start, outputs, &required, rates.as_slice()].concat();
         let grafted = dag.graft(&equations.dag, &roots, |dag, leaf| self.leaf(dag, leaf));
-        let at = |roots: &[NodeId]| {
+        let at = |roots: &[NodeId]| -> Vec<NodeId> {
             let new = |r: &NodeId| grafted[r.index()].unwrap_or(zero);
             roots.iter().map(new).collect()
         };
@@ -336,6 +348,7 @@ impl Places {
             defaults: at(&defaults),
             start: at(&start),
             outputs: at(outputs),
+            requirements: requirements.iter().map(|sides| at(sides)).collect(),
             flow: flow.as_deref().map(at),
             dag,
         }

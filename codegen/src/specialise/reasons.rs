@@ -30,6 +30,7 @@ pub(super) fn explained(
     skipped.extend(unknowns(model, zeros, needs));
     skipped.extend(equations(model, zeros, needs));
     skipped.extend(outputs(model, wishes));
+    skipped.extend(requirements(model, &left.model));
     if !model.flow.is_empty() && left.equations.flow.is_none() {
         skipped.push(Skipped {
             kind: SkippedKind::Flow,
@@ -223,6 +224,18 @@ fn equations(model: &Model, zeros: &Zeros, needs: &Needs) -> Vec<Skipped> {
         }
     }
     skipped
+}
+
+fn requirements(model: &Model, left: &Model) -> Vec<Skipped> {
+    let is_left = |text: &str| left.requirements.iter().any(|r| r.text == text);
+    let gone = model.requirements.iter().filter(|r| !is_left(&r.text));
+    gone.map(|requirement| Skipped {
+        kind: SkippedKind::Requirement,
+        what: requirement.text.clone(),
+        reason: "about a state that is not needed".to_owned(),
+        line: requirement.range.line(),
+    })
+    .collect()
 }
 
 fn outputs(model: &Model, wishes: &Wishes) -> Vec<Skipped> {

@@ -1164,6 +1164,7 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
         },
     ],
     claims: &[],
+    requirements: &[],
     has_flow: false,
     counts: &[
         (

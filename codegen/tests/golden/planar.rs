@@ -1438,6 +1438,7 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
             ],
         },
     ],
+    requirements: &[],
     has_flow: true,
     counts: &[
         (

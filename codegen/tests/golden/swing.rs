@@ -814,6 +814,7 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
         },
     ],
     claims: &[],
+    requirements: &[],
     has_flow: true,
     counts: &[
         (

@@ -24,6 +24,8 @@ pub struct Model {
     pub solvers: Vec<Form>,
     /// It has continuous equations.
     pub flow: bool,
+    /// What data must be like.
+    pub requirements: Vec<Requirement>,
     /// What papers print.
     pub claims: Vec<Claim>,
     /// The run that it was made for, if it is a scene.
@@ -118,6 +120,17 @@ pub struct Operations {
     pub calls: usize,
 }
 
+/// What data must be like.
+#[derive(Serialize)]
+pub struct Requirement {
+    /// Its text.
+    pub text: &'static str,
+    /// What it means if that does not hold.
+    pub otherwise: &'static str,
+    /// Line in the file.
+    pub line: usize,
+}
+
 /// A printed statement.
 #[derive(Serialize)]
 pub struct Claim {
@@ -153,6 +166,12 @@ pub fn describe(model: &Catalogued) -> Model {
         line: claim.line,
         wrong_entries: claim.differences.len(),
     });
+    let requirements = description.requirements.iter();
+    let requirements = requirements.map(|requirement| Requirement {
+        text: requirement.text,
+        otherwise: requirement.otherwise,
+        line: requirement.line,
+    });
     Model {
         name: description.name,
         doc: description.doc,
@@ -162,6 +181,7 @@ pub fn describe(model: &Catalogued) -> Model {
         observables: outputs(false),
         solvers: description.solvers.iter().map(form).collect(),
         flow: description.has_flow,
+        requirements: requirements.collect(),
         claims: claims.collect(),
         scene: description.scene.map(|scene| Scene {
             model: scene.model,

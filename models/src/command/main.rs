@@ -15,6 +15,7 @@ mod list;
 mod name;
 mod new;
 mod report;
+mod requirements;
 mod show;
 mod simulate;
 mod stress;

@@ -19,6 +19,19 @@ pub fn show(model: &Model, out: &mut impl Write) -> io::Result<()> {
     }
     quantities("invariants", &model.invariants, out)?;
     quantities("observables", &model.observables, out)?;
+    if !model.requirements.is_empty() {
+        writeln!(out, "\nrequirements")?;
+        let mut table = Table::plain();
+        for requirement in &model.requirements {
+            let line = format!("line {}", requirement.line);
+            table.row([
+                format!("  {}", requirement.text),
+                format!("else {}", requirement.otherwise),
+                line,
+            ]);
+        }
+        write!(out, "{table}")?;
+    }
     if !model.claims.is_empty() {
         writeln!(out, "\nclaims")?;
     }

@@ -14,6 +14,8 @@ pub trait AnyModel: Sync {
     fn start(&self, parameters: &[f64], out: &mut [f64]);
     /// Overwrites `out` with the invariants and observables at `t` and `state` of a run with step `h`.
     fn outputs(&self, parameters: &[f64], h: f64, t: f64, state: &[f64], out: &mut [f64]);
+    /// Whether they meet a requirement of the file, by its position in the description.
+    fn meets(&self, requirement: usize, parameters: &[f64], h: f64, state: &[f64]) -> bool;
 }
 
 /// `M` as an [`AnyModel`].
@@ -38,6 +40,12 @@ impl<M: Model<f64>> AnyModel for ErasedModel<M> {
         let state = self::state::<M, f64>(&parameters, state);
         write(&M::outputs(&parameters, h, t, &state), out);
     }
+
+    fn meets(&self, requirement: usize, parameters: &[f64], h: f64, state: &[f64]) -> bool {
+        let parameters = self::parameters::<M, f64>(parameters);
+        let state = self::state::<M, f64>(&parameters, state);
+        M::meets(requirement, &parameters, h, &state)
+    }
 }
 
 /// What a model with errors leaves behind.
@@ -49,6 +57,10 @@ impl AnyModel for Stub {
     fn start(&self, _parameters: &[f64], _out: &mut [f64]) {}
 
     fn outputs(&self, _parameters: &[f64], _h: f64, _t: f64, _state: &[f64], _out: &mut [f64]) {}
+
+    fn meets(&self, _requirement: usize, _parameters: &[f64], _h: f64, _state: &[f64]) -> bool {
+        true
+    }
 }
 
 /// The parameters of `M` with these values.

@@ -239,6 +239,7 @@ static DESCRIPTION: Description = Description {
         core: None,
     }],
     claims: &[],
+    requirements: &[],
     has_flow: true,
     counts: &[],
     scene: None,

@@ -80,6 +80,7 @@ impl<P: Problem<N>, const N: usize> Model<f64> for Root<P, N> {
             core: None,
         }],
         claims: &[],
+        requirements: &[],
         has_flow: false,
         counts: &[],
         scene: None,

@@ -11,6 +11,8 @@ use crate::diagnose::compile_file;
 use crate::expand::as_path;
 use crate::failure::Failure;
 use crate::list::print_json;
+use crate::requirements;
+use crate::values;
 use clap::Args;
 use order::Range;
 use report::{ClaimReport, ModelReport, RunReport, SolverReport};
@@ -121,7 +123,16 @@ fn check(model: &'static Catalogued, range: &Range) -> ModelReport {
             .iter()
             .map(ClaimReport::new)
             .collect(),
+        unmet: unmet(model, range.h),
     }
+}
+
+/// The requirements that the data of the file do not meet.
+fn unmet(model: &Catalogued, h: f64) -> Vec<String> {
+    let parameters = values::defaults(model);
+    let start = values::start(model, &parameters);
+    let unmet = requirements::unmet(model, &parameters, h, &start);
+    unmet.map(|i| requirements::text(model, i)).collect()
 }
 
 fn check_solver(

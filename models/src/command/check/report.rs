@@ -17,6 +17,8 @@ pub struct ModelReport {
     pub solvers: Vec<SolverReport>,
     /// In file order.
     pub claims: Vec<ClaimReport>,
+    /// Requirements that the data of the file do not meet, which is a finding and no failure.
+    pub unmet: Vec<String>,
 }
 
 /// One solver.

@@ -12,6 +12,9 @@ impl fmt::Display for ModelReport {
         writeln!(f, "{}", self.model)?;
         self.solvers.iter().try_for_each(|solver| solver.fmt(f))?;
         self.claims.iter().try_for_each(|claim| claim.fmt(f))?;
+        for unmet in &self.unmet {
+            writeln!(f, "  not met by the data of the file: {unmet}")?;
+        }
         writeln!(f)
     }
 }

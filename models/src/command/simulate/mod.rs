@@ -13,6 +13,7 @@ use crate::failure::Failure;
 use crate::notation;
 use crate::plot;
 use crate::plot::Figure;
+use crate::requirements;
 use clap::{Args, ValueEnum};
 use plan::{Plan, Scheme, plan};
 use recorder::Recorder;
@@ -116,6 +117,10 @@ impl Simulate {
             return Err(Failure::input("--out and --plot name the same file"));
         }
         self.refuse_invalid(&plan)?;
+        if !self.quiet {
+            let unmet = requirements::unmet(model, &plan.parameters, plan.step, &plan.start);
+            unmet.for_each(|i| eprintln!("warning: {}", requirements::text(model, i)));
+        }
         // Before the run, so that a bad path does not cost one.
         let picture = self.plot.as_deref().map(create).transpose()?;
         let mut recorder = self.recorder(model, &plan)?;

@@ -58,6 +58,16 @@ impl<'a> Grid<'a> {
         point
     }
 
+    /// Parameters and start state of a trajectory.
+    pub fn data(&self, trajectory: usize) -> (Vec<f64>, Vec<f64>) {
+        let (mut parameters, mut state) = (
+            self.parameters.clone(),
+            values::start(self.model, &self.parameters),
+        );
+        self.fill(trajectory, &mut parameters, &mut state);
+        (parameters, state)
+    }
+
     /// Overwrites parameters and start state with those of a trajectory.
     pub fn fill(&self, trajectory: usize, parameters: &mut [f64], state: &mut [f64]) {
         let point = self.point(trajectory);

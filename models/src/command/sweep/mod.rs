@@ -6,6 +6,7 @@ mod table;
 
 use crate::assignment::{Assignment, Target, assign, parse};
 use crate::failure::Failure;
+use crate::requirements::Unmet;
 use crate::simulate::plan::{Span, refuse_skipped, solver, span, symbols};
 use crate::values;
 use clap::Args;
@@ -96,8 +97,12 @@ impl Sweep {
         let groups = (KEPT_ROWS / per_trajectory) as usize / WIDTH;
         let chunk = WIDTH * groups.max(threads.current_num_threads());
         let mut failed = Failed::default();
+        let mut unmet = Unmet::new(model);
         for first in (0..count).step_by(chunk) {
             let trajectories = first..count.min(first + chunk);
+            for trajectory in trajectories.clone() {
+                unmet.take(model, || grid.data(trajectory), step);
+            }
             let shelf = Shelf::new(first, trajectories.len());
             let fly = || self.fly(&grid, solver, (step, steps), trajectories, &shelf);
             let outcomes = threads.install(fly)?;
@@ -113,6 +118,9 @@ impl Sweep {
             if let Some(path) = self.out.as_deref().filter(|path| !is_stdout(path)) {
                 eprintln!("{} ({rows} rows)", path.display());
             }
+        }
+        if !self.quiet {
+            unmet.warn(model, count);
         }
         if holes > 0 {
             eprintln!("warning: {holes} outputs have no value");

@@ -17,6 +17,7 @@ static ONE_STATE: Description = Description {
     outputs: &[],
     solvers: &[],
     claims: &[],
+    requirements: &[],
     has_flow: false,
     counts: &[],
     scene: None,
