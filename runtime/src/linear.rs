@@ -76,14 +76,15 @@ fn eliminate<T: Real, const N: usize>(mut a: [[T; N]; N], mut b: [T; N]) -> Opti
     let zero = T::constant(0.0);
     let mut weights = weights(&a);
     for k in 0..N {
-        let larger = |best: usize, i: usize| {
-            if a[i][k].abs() * weights[i] > a[best][k].abs() * weights[best] {
-                i
-            } else {
-                best
+        let (mut pivot, mut most) = (k, a[k][k].abs() * weights[k]);
+        for i in k + 1..N {
+            let size = a[i][k].abs() * weights[i];
+            if size > most {
+                (pivot, most) = (i, size);
             }
-        };
-        let pivot = (k + 1..N).fold(k, larger);
+        }
+        // What it is already, said so that nothing needs to be checked.
+        let pivot = pivot.min(N - 1);
         if a[pivot][k] == zero {
             return None;
         }

@@ -4,7 +4,7 @@
 mod dual;
 mod real;
 
-use core::ops::{Add, Div, Mul, Neg, Sub};
+use core::ops::{Add, Div, Mul, Neg, Range, Sub};
 
 /// A number that generated code can compute with: `f64`, `f32`, a dual number, SIMD lanes.
 pub trait Scalar:
@@ -71,6 +71,21 @@ pub trait Real: Scalar + PartialOrd {
     fn is_finite(self) -> bool;
     /// The number itself, or for narrower types its exact image.
     fn to_f64(self) -> f64;
+}
+
+/// The larger of two; the first where one of them is NaN.
+#[inline]
+pub(crate) fn larger<T: Real>(a: T, b: T) -> T {
+    if b > a { b } else { a }
+}
+
+/// The largest magnitude among those of `part` that are numbers; 0 where there is none.
+///
+/// A slice of `values` would be checked to be one, at the cost of a way to panic.
+#[inline]
+pub(crate) fn largest_of<T: Real>(values: &[T], part: &Range<usize>) -> T {
+    let part = values.iter().take(part.end).skip(part.start);
+    part.fold(T::constant(0.0), |most, value| larger(most, value.abs()))
 }
 
 /// False where one of them is infinite or NaN. All are looked at, so that there is one branch.

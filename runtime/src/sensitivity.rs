@@ -5,6 +5,8 @@ use crate::model::Model;
 use crate::model::StateArray;
 use crate::model::System;
 use crate::scalar::Real;
+use crate::scalar::larger;
+use crate::scalar::largest_of;
 
 /// Relative size of the moves that sensitivity is measured by, 2⁻²⁶: half of the digits of `f64`.
 const MOVE: f64 = 1.490_116_119_384_765_6e-8;
@@ -31,10 +33,12 @@ pub(crate) fn amplification<S: System<T>, T: Real>(
         let own = offset..offset + block.len;
         offset = own.end;
         let known_of = block.measure.clone().unwrap_or(0..0);
-        let scale = larger(largest(&x.as_ref()[own.clone()]), largest(&known[known_of]));
+        let scale = larger(largest_of(x.as_ref(), &own), largest_of(known, &known_of));
         for j in own {
             let mut moved = *x;
-            moved.as_mut()[j] = moved.as_ref()[j] + T::constant(MOVE) * scale;
+            if let Some(moved) = moved.as_mut().get_mut(j) {
+                *moved = *moved + T::constant(MOVE) * scale;
+            }
             let moved = S::next(scene, step, &moved);
             most = larger(
                 most,
@@ -52,8 +56,8 @@ fn change<T: Real>(variables: &[Variable], known: &[T], next: &[T], moved: &[T])
     for variable in variables {
         let own = offset..offset + variable.rows * variable.cols;
         offset = own.end;
-        let scale = larger(largest(&known[own.clone()]), largest(&next[own.clone()]));
-        let pairs = next[own.clone()].iter().zip(&moved[own]);
+        let scale = larger(largest_of(known, &own), largest_of(next, &own));
+        let pairs = next.iter().zip(moved).take(own.end).skip(own.start);
         let change = pairs.fold(T::constant(0.0), |most, (next, moved)| {
             larger(most, (*moved - *next).abs())
         });
@@ -63,14 +67,4 @@ fn change<T: Real>(variables: &[Variable], known: &[T], next: &[T], moved: &[T])
         }
     }
     most
-}
-
-fn largest<T: Real>(values: &[T]) -> T {
-    values
-        .iter()
-        .fold(T::constant(0.0), |most, value| larger(most, value.abs()))
-}
-
-fn larger<T: Real>(a: T, b: T) -> T {
-    if b > a { b } else { a }
 }

@@ -58,7 +58,9 @@ impl<X: Copy> Shifts<X> {
     /// The miss of `j` steps ago, j ≥ 1.
     #[inline]
     fn ago(&self, j: usize) -> &X {
-        &self.ring.as_flattened()[self.last + KEPT + 1 - j]
+        // What is there already, said so that nothing needs to be checked.
+        let last = self.last % KEPT;
+        &self.ring.as_flattened()[last + KEPT + 1 - j.clamp(1, KEPT)]
     }
 
     /// `guess` shifted by what the next solution is expected to lie from it.
@@ -85,7 +87,7 @@ impl<X: Copy> Shifts<X> {
     where
         X: AsRef<[T]> + AsMut<[T]>,
     {
-        let weights = WEIGHTS[order].map(T::constant);
+        let weights = WEIGHTS[order.min(HIGHEST)].map(T::constant);
         for (i, x) in guess.as_mut().iter_mut().enumerate() {
             let mut shift = weights[HIGHEST - 1] * self.ago(HIGHEST).as_ref()[i];
             for j in (1..HIGHEST).rev() {
@@ -128,9 +130,11 @@ impl<X: Copy> Shifts<X> {
             }
         }
         self.order = self.seen.min(1);
-        for order in 2..=HIGHEST.min(self.seen.saturating_sub(COMPARED)) {
-            if missed[order] < missed[self.order] {
-                self.order = order;
+        let mut least = missed[self.order];
+        let highest = self.seen.saturating_sub(COMPARED);
+        for (order, missed) in missed.into_iter().enumerate().take(highest + 1).skip(2) {
+            if missed < least {
+                (self.order, least) = (order, missed);
             }
         }
     }

@@ -2,6 +2,7 @@
 
 pub mod case;
 pub mod measured;
+pub mod mutations;
 pub mod number;
 pub mod points;
 pub mod printed;

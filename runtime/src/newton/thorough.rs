@@ -18,6 +18,8 @@ use crate::report::Statistics;
 use crate::report::Success;
 use crate::scalar::Real;
 use crate::scalar::first_not_finite;
+use crate::scalar::larger;
+use crate::scalar::largest_of;
 use crate::settings::AT_ROUNDING;
 use crate::settings::LEFTOVER;
 use crate::settings::MOST_GROWTH;
@@ -38,7 +40,10 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
     ) -> Result<(S::Unknowns, Report), Fault> {
         let mut scales = guess;
         for (unknowns, scale) in self.blocks(known) {
-            scales.as_mut()[unknowns].fill(scale);
+            let own = scales.as_mut().iter_mut();
+            for own in own.take(unknowns.end).skip(unknowns.start) {
+                *own = scale;
+            }
         }
         self.shifts.choose_order(&scales);
         let ahead = if self.trust == 0 {
@@ -147,7 +152,7 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
         let largest = T::constant(LEFTOVER) * T::EPSILON;
         let mut square = T::constant(LEFTOVER);
         for (unknowns, scale) in self.blocks(known) {
-            let size = self::largest(&second.as_ref()[unknowns]);
+            let size = largest_of(second.as_ref(), &unknowns);
             let is_seen = size > T::constant(AT_ROUNDING) * T::EPSILON * scale;
             if is_seen && largest * scale < square * size {
                 square = largest * scale / size;
@@ -156,8 +161,9 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
         let is_due = self.trust == 0;
         let mut enough = self.enough;
         for (unknowns, _) in self.blocks(known) {
-            let limit = square.sqrt() * self::largest(&self.previous.as_ref()[unknowns.clone()]);
-            for enough in &mut enough.as_mut()[unknowns] {
+            let limit = square.sqrt() * largest_of(self.previous.as_ref(), &unknowns);
+            let own = enough.as_mut().iter_mut();
+            for enough in own.take(unknowns.end).skip(unknowns.start) {
                 if is_due || limit > *enough {
                     *enough = limit;
                 }
@@ -207,8 +213,8 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
             shrinking: true,
         };
         for (unknowns, scale) in self.blocks(known) {
-            let length = largest(&correction.as_ref()[unknowns.clone()]);
-            let before = largest(&self.previous.as_ref()[unknowns]);
+            let length = largest_of(correction.as_ref(), &unknowns);
+            let before = largest_of(self.previous.as_ref(), &unknowns);
             let within = length <= self.settings.tolerance * scale;
             if !within {
                 progress.converged = false;
@@ -232,7 +238,8 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
             .all(|(r, row)| {
                 let mut terms = T::constant(0.0);
                 for (unknowns, scale) in self.blocks(known) {
-                    for entry in &row[unknowns] {
+                    let entries = row.iter().take(unknowns.end).skip(unknowns.start);
+                    for entry in entries {
                         terms = terms + entry.abs() * scale;
                     }
                 }
@@ -248,7 +255,7 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
         let n = self.r.as_ref().len().max(1);
         self.blocks(known).all(|(unknowns, scale)| {
             let part = |row: &[T], unknowns: Range<usize>, scale| {
-                let entries = row[unknowns].iter();
+                let entries = row.iter().take(unknowns.end).skip(unknowns.start);
                 entries.fold(T::constant(0.0), |sum, entry| sum + entry.abs() * scale)
             };
             let is_felt = self.j.entries().chunks_exact(n).any(|row| {
@@ -258,7 +265,7 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
                 });
                 part(row, unknowns.clone(), scale) > rounding * terms
             });
-            !is_felt || largest(&correction.as_ref()[unknowns]) <= digits * scale
+            !is_felt || largest_of(correction.as_ref(), &unknowns) <= digits * scale
         })
     }
 
@@ -270,11 +277,11 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
             let unknowns = offset..offset + block.len;
             offset = unknowns.end;
             let now = match &block.measure {
-                Some(states) => largest(&known[states.clone()]),
+                Some(states) => largest_of(known, states),
                 None => T::constant(0.0),
             };
-            let next = largest(&self.x.as_ref()[unknowns.clone()]);
-            (unknowns, if next > now { next } else { now })
+            let next = largest_of(self.x.as_ref(), &unknowns);
+            (unknowns, larger(now, next))
         })
     }
 }
@@ -289,20 +296,12 @@ struct Progress<T> {
     shrinking: bool,
 }
 
-/// The largest magnitude among finite numbers.
-fn largest<T: Real>(values: &[T]) -> T {
-    values.iter().fold(T::constant(0.0), |largest, value| {
-        let size = value.abs();
-        if size > largest { size } else { largest }
-    })
-}
-
 /// The position of the largest magnitude among finite numbers.
 fn largest_row<T: Real>(r: &[T]) -> usize {
-    let mut largest = 0;
+    let (mut largest, mut most) = (0, T::constant(0.0));
     for (row, value) in r.iter().enumerate() {
-        if value.abs() > r[largest].abs() {
-            largest = row;
+        if value.abs() > most {
+            (largest, most) = (row, value.abs());
         }
     }
     largest

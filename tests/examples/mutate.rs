@@ -1,0 +1,128 @@
+//! Breaks the code in every way of [`residua_tests::mutations`], one at a time, in a copy of the workspace, and sees which test
+//! notices: `cargo run --release -p residua-tests --example mutate [WORDS]` for all, or those whose rule has the words.
+//!
+//! It takes an hour. The table goes to `tests/MUTATIONS.md`; with words, to the screen only.
+
+use residua_tests::mutations::{ALL, Mutation};
+use std::env;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// What the workspace consists of.
+const PARTS: [&str; 6] = [
+    "Cargo.toml",
+    "Cargo.lock",
+    "codegen",
+    "models",
+    "runtime",
+    "tests",
+];
+
+/// Tests, quickest first.
+const ATTEMPTS: [&[&str]; 5] = [
+    &["-p", "residua", "--lib"],
+    &["-p", "residua-codegen", "--lib"],
+    &["-p", "residua-codegen"],
+    &["-p", "residua-tests"],
+    &["-p", "residua", "-p", "residua-models"],
+];
+
+fn main() -> io::Result<()> {
+    let words: Vec<String> = env::args().skip(1).collect();
+    let words = words.join(" ");
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("..")
+        .canonicalize()?;
+    let copy = root.join("target/mutations/workspace");
+    if copy.exists() {
+        fs::remove_dir_all(&copy)?;
+    }
+    fs::create_dir_all(&copy)?;
+    for part in PARTS {
+        copy_all(&root.join(part), &copy.join(part))?;
+    }
+    if let Some(test) = noticing(&copy, "")? {
+        return Err(io::Error::other(format!("unbroken code fails {test}")));
+    }
+    let mut table = String::from(
+        "# Ways to break the code, and the test that notices first\n\n\
+         Written by `cargo run --release -p residua-tests --example mutate`. Each row is one change of the code, by itself.\n\n\
+         | broken | in | noticed by |\n|---|---|---|\n",
+    );
+    for Mutation {
+        rule,
+        file,
+        from,
+        to,
+    } in ALL.iter().filter(|m| m.rule.contains(&words))
+    {
+        let path = copy.join(file);
+        let text = fs::read_to_string(&path)?;
+        fs::write(&path, text.replacen(from, to, 1))?;
+        let noticed = noticing(&copy, file)?;
+        fs::write(&path, text)?;
+        let noticed = noticed.map_or("nothing".to_owned(), |test| format!("`{test}`"));
+        let row = format!("| {rule} | `{file}` | {noticed} |\n");
+        print!("{row}");
+        table.push_str(&row);
+    }
+    if words.is_empty() {
+        fs::write(root.join("tests/MUTATIONS.md"), table)?;
+    }
+    Ok(())
+}
+
+/// The first test that fails, of those that a change of `file` can make fail.
+fn noticing(workspace: &Path, file: &str) -> io::Result<Option<String>> {
+    for attempt in ATTEMPTS {
+        // The runtime knows nothing of the generator, and what the generator tests of itself nothing of the runtime.
+        let is_of_runtime = attempt[1] == "residua" && attempt.len() == 3;
+        let is_of_codegen = attempt[1] == "residua-codegen";
+        if (is_of_runtime && file.starts_with("codegen"))
+            || (is_of_codegen && file.starts_with("runtime"))
+        {
+            continue;
+        }
+        let output = Command::new(env!("CARGO"))
+            .args(["test", "--release"])
+            .args(attempt)
+            .args(["--", "--skip", "every_mutation_has_its_place"])
+            .current_dir(workspace)
+            .env("CARGO_TARGET_DIR", workspace.join("../target"))
+            .output()?;
+        if output.status.success() {
+            continue;
+        }
+        let text = String::from_utf8_lossy(&output.stdout).into_owned();
+        let failed = text
+            .lines()
+            .find(|line| line.starts_with("test ") && line.contains("FAILED"));
+        let name = failed.and_then(|line| line.split_whitespace().nth(1));
+        // A step that never ends its build is noticed as well, but proves nothing about tests.
+        let name = name.map_or("the build alone".to_owned(), str::to_owned);
+        return Ok(Some(name));
+    }
+    Ok(None)
+}
+
+/// Copies a file or a folder, without what is built.
+fn copy_all(from: &Path, to: &Path) -> io::Result<()> {
+    let mut open: Vec<(PathBuf, PathBuf)> = vec![(from.to_owned(), to.to_owned())];
+    while let Some((from, to)) = open.pop() {
+        if from.is_dir() {
+            if from.file_name().is_some_and(|name| name == "target") {
+                continue;
+            }
+            fs::create_dir_all(&to)?;
+            for entry in fs::read_dir(from)? {
+                let entry = entry?;
+                open.push((entry.path(), to.join(entry.file_name())));
+            }
+        } else {
+            fs::copy(from, to)?;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,134 @@
+//! Ways to break the code that some test must notice, one at a time: every derivative rule, every rule of the normal
+//! form, every outcome of Newton's method, and how a step moves the state on.
+//!
+//! `cargo run --release -p residua-tests --example mutate` breaks them and writes `tests/MUTATIONS.md`.
+
+/// A mistake to make.
+#[derive(Debug)]
+pub struct Mutation {
+    /// What it breaks.
+    pub rule: &'static str,
+    /// In which file.
+    pub file: &'static str,
+    /// A text that occurs there once.
+    pub from: &'static str,
+    /// What to put in its place.
+    pub to: &'static str,
+}
+
+const fn mutation(
+    rule: &'static str,
+    file: &'static str,
+    from: &'static str,
+    to: &'static str,
+) -> Mutation {
+    Mutation {
+        rule,
+        file,
+        from,
+        to,
+    }
+}
+
+const DERIVATIVES: &str = "codegen/src/differentiate.rs";
+const NORMAL: &str = "codegen/src/normal.rs";
+const THOROUGH: &str = "runtime/src/newton/thorough.rs";
+const NEWTON: &str = "runtime/src/newton.rs";
+const RATE: &str = "runtime/src/newton/rate.rs";
+const STEPPER: &str = "runtime/src/stepper.rs";
+const CONTEXT: &str = "codegen/src/lower/context.rs";
+
+/// All of them.
+#[rustfmt::skip]
+pub const ALL: &[Mutation] = &[
+    // Derivatives.
+    mutation("an input has the derivative 1", DERIVATIVES, "Node::Leaf(_) => dag.integer(1)", "Node::Leaf(_) => dag.integer(2)"),
+    mutation("a sum keeps its coefficients", DERIVATIVES, "Some((c.clone(), of(*n)?))", "Some((BigRational::one(), of(*n)?))"),
+    mutation("a product has a term for every factor", DERIVATIVES, "(0..factors.len())\n                .filter_map", "(0..1)\n                .filter_map"),
+    mutation("a power brings its exponent down", DERIVATIVES, "(rational(exponent.into()), dag.product(term))", "(rational(1), dag.product(term))"),
+    mutation("a power lowers its exponent", DERIVATIVES, "term[i].1 -= 1;", "term[i].1 -= 0;"),
+    mutation("the chain rule multiplies by the inner derivative", DERIVATIVES, "dag.mul(outer, inner)", "outer"),
+    mutation("sin' = cos", DERIVATIVES, "Elementary::Sin => dag.call(Elementary::Cos, vec![x])", "Elementary::Sin => dag.call(Elementary::Sin, vec![x])"),
+    mutation("cos' = −sin", DERIVATIVES, "dag.neg(sin)", "sin"),
+    mutation("tan' = 1 + tan²", DERIVATIVES, "let square = dag.mul(tan, tan);\n            dag.add(one, square)", "let square = dag.mul(tan, tan);\n            dag.sub(one, square)"),
+    mutation("asin' = 1/√(1 − x²)", DERIVATIVES, "let complement = dag.sub(one, square);", "let complement = dag.add(one, square);"),
+    mutation("acos' = −asin'", DERIVATIVES, "dag.neg(positive)", "positive"),
+    mutation("atan' = 1/(1 + x²)", DERIVATIVES, "let below = dag.add(one, square);\n            dag.product([(below, -1)])", "let below = dag.add(one, square);\n            dag.product([(below, -2)])"),
+    mutation("∂atan2/∂y = x/(x² + y²)", DERIVATIVES, "if i == 0 { x } else { dag.neg(y) }", "if i == 0 { y } else { dag.neg(y) }"),
+    mutation("∂atan2/∂x = −y/(x² + y²)", DERIVATIVES, "if i == 0 { x } else { dag.neg(y) }", "if i == 0 { x } else { y }"),
+    mutation("sinh' = cosh", DERIVATIVES, "Elementary::Sinh => dag.call(Elementary::Cosh, vec![x])", "Elementary::Sinh => dag.call(Elementary::Sinh, vec![x])"),
+    mutation("cosh' = sinh", DERIVATIVES, "Elementary::Cosh => dag.call(Elementary::Sinh, vec![x])", "Elementary::Cosh => dag.call(Elementary::Cosh, vec![x])"),
+    mutation("tanh' = 1 − tanh²", DERIVATIVES, "let square = dag.mul(tanh, tanh);\n            dag.sub(one, square)", "let square = dag.mul(tanh, tanh);\n            dag.add(one, square)"),
+    mutation("exp' = exp", DERIVATIVES, "Elementary::Exp => dag.call(Elementary::Exp, vec![x])", "Elementary::Exp => one"),
+    mutation("log' = 1/x", DERIVATIVES, "Elementary::Log => dag.product([(x, -1)])", "Elementary::Log => dag.product([(x, -2)])"),
+    mutation("√' = 1/(2√)", DERIVATIVES, "dag.scale(BigRational::new(1.into(), 2.into()), inverse)", "inverse"),
+    mutation("abs' = sign", DERIVATIVES, "Elementary::Abs => dag.call(Elementary::Sign, vec![x])", "Elementary::Abs => one"),
+    mutation("sign' = 0", DERIVATIVES, "Elementary::Sign => dag.integer(0)", "Elementary::Sign => dag.integer(1)"),
+    mutation("∂x^y/∂x = y x^(y−1)", DERIVATIVES, "let lower = dag.sub(y, one);", "let lower = dag.add(y, one);"),
+    mutation("∂x^y/∂y = x^y ln x", DERIVATIVES, "dag.mul(power, log)", "power"),
+    mutation("cₙ' has the term n/2 cₙ₊₂", DERIVATIVES, "BigRational::new(n.into(), 2.into())", "BigRational::new(n.into(), 3.into())"),
+    mutation("cₙ' has the term −1/2 cₙ₊₁", DERIVATIVES, "BigRational::new((-1).into(), 2.into())", "BigRational::new(1.into(), 2.into())"),
+    // The normal form.
+    mutation("a − b subtracts", NORMAL, "(-BigRational::one(), b)])", "(BigRational::one(), b)])"),
+    mutation("−a is −1 a", NORMAL, "self.scale(-BigRational::one(), a)", "self.scale(BigRational::one(), a)"),
+    mutation("a multiple of a number is a number", NORMAL, "let value = value * coefficient;", "let value = value + coefficient;"),
+    mutation("a multiple of a multiple multiplies", NORMAL, "let coefficient = times(&coefficient, inner);\n        if coefficient.is_zero()", "if coefficient.is_zero()"),
+    mutation("a/b divides", NORMAL, "self.product([(a, 1), (b, -1)])", "self.product([(a, 1), (b, 1)])"),
+    mutation("a sum in a sum is merged with its coefficient", NORMAL, "(times(&outer, inner), core)", "(inner, core)"),
+    mutation("equal terms are added up", NORMAL, "Some(last) if last.1 == id => last.0 += coefficient", "Some(last) if last.1 == id => last.0 -= coefficient"),
+    mutation("a multiple of a sum is multiplied out", NORMAL, ".map(|(c, n)| (times(c, coefficient.clone()), *n))", ".map(|(c, n)| (c.clone(), *n))"),
+    mutation("the content −1 turns signs", NORMAL, "terms.into_iter().map(|(c, n)| (-c, n)).collect()", "terms"),
+    mutation("terms are divided by their content", NORMAL, "BigRational::from_integer(above * (content.denom() / c.denom()))", "BigRational::from_integer(above)"),
+    mutation("numbers in a product are taken out", NORMAL, "Node::Constant(value) if folds(value, exponent) => {\n                    coefficient = times(&coefficient, power(value, exponent));", "Node::Constant(value) if folds(value, exponent) => {\n                    coefficient = times(&coefficient, value.clone());"),
+    mutation("the coefficient of a factor is raised with it", NORMAL, "coefficient = times(&coefficient, power(&terms[0].0, exponent));", "coefficient = times(&coefficient, terms[0].0.clone());"),
+    mutation("a product in a product is raised with it", NORMAL, "(*n, e * exponent)", "(*n, *e)"),
+    mutation("√x √x = x", NORMAL, "open.push((argument[0], total / 2));", "open.push((argument[0], total));"),
+    mutation("exponents of a factor add up", NORMAL, "Some(factor) => factor.1 += exponent", "Some(factor) => factor.1 = exponent"),
+    mutation("0 times anything is 0", NORMAL, "if coefficient.is_zero() {\n            return self.integer(0);", "if coefficient.is_zero() {\n            return self.integer(1);"),
+    mutation("a^(n/2) is a root to the n", NORMAL, "return self.product([(root, halves)]);", "return self.product([(root, 1)]);"),
+    mutation("a^n is a product", NORMAL, "return self.product([(base, whole)]);", "return self.product([(base, 2)]);"),
+    mutation("odd functions give their sign back", NORMAL, "return if parity(function) == Parity::Odd {", "return if parity(function) == Parity::Even {"),
+    mutation("arguments of odd and even functions lose their sign", NORMAL, "let positive = self.scale(-coefficient, core);", "let positive = self.scale(coefficient, core);"),
+    mutation("sin 0 and its kin are 0", NORMAL, "| Elementary::Tanh => x.is_zero().then(BigRational::zero)", "| Elementary::Tanh => x.is_zero().then(BigRational::one)"),
+    mutation("cosh 0 = exp 0 = 1", NORMAL, "Elementary::Cosh | Elementary::Exp => x.is_zero().then(BigRational::one)", "Elementary::Cosh | Elementary::Exp => x.is_zero().then(BigRational::zero)"),
+    mutation("log 1 = acos 1 = 0", NORMAL, "Elementary::Log | Elementary::Acos => x.is_one().then(BigRational::zero)", "Elementary::Log | Elementary::Acos => x.is_one().then(BigRational::one)"),
+    mutation("atan2(0, positive) = 0", NORMAL, "(x.is_zero() && right).then(BigRational::zero)", "x.is_zero().then(BigRational::zero)"),
+    mutation("roots of squares are exact", NORMAL, "(&root * &root == *x).then_some(root)", "Some(root)"),
+    mutation("abs of a number", NORMAL, "Elementary::Abs => Some(x.abs())", "Elementary::Abs => Some(x.clone())"),
+    mutation("sign of a number", NORMAL, "Elementary::Sign => Some(x.signum())", "Elementary::Sign => Some(x.abs())"),
+    mutation("cₙ(0) = 1/n!", NORMAL, "(1..=n).map(BigInt::from).product()", "(1..n).map(BigInt::from).product()"),
+    mutation("sin and cos at quarter turns", NORMAL, "let shift = if function == Elementary::Sin { 0 } else { 1 };", "let shift = if function == Elementary::Sin { 0 } else { 3 };"),
+    mutation("content takes a common factor, not any", NORMAL, "small.iter().fold(0, |g, t| t.0.gcd(&g))", "small.iter().fold(0, |g, t| t.0.max(g))"),
+    // Newton's method: how each outcome is reached.
+    mutation("a correction is subtracted", NEWTON, "*x = *x - *correction;", "*x = *x + *correction;"),
+    mutation("quick corrections must be enough", NEWTON, "all & (c.abs() <= *enough)", "all | (c.abs() <= *enough)"),
+    mutation("corrections whose rounding grows are not trusted", NEWTON, "(growth <= T::constant(MOST_GROWTH)).then_some(correction)", "(growth >= T::constant(0.0)).then_some(correction)"),
+    mutation("what a solver learnt is forgotten with the state", NEWTON, "self.shifts = Shifts::new(self.x);\n        self.trust = 0;", ""),
+    mutation("not finite: residual", THOROUGH, "            require_finite(&self.r)?;\n", ""),
+    mutation("not finite: unknowns", THOROUGH, "            require_finite(&self.x)?;\n", ""),
+    mutation("singular", THOROUGH, "self.j.solve(&self.r).ok_or(Failure::Singular)?", "self.j.solve(&self.r).unwrap_or(self.r)"),
+    mutation("converged: within the tolerance", THOROUGH, "let within = length <= self.settings.tolerance * scale;", "let within = length <= T::constant(1e-3) * scale;"),
+    mutation("converged: a first correction within it needs a smaller residual", THOROUGH, "fell.all(|fell| fell) || self.residual_is_rounding(known)", "fell.all(|_| true) || self.residual_is_rounding(known)"),
+    mutation("converged: by the rate of two corrections", RATE, "is_telling(before) && e * e <= T::constant(RATE_MARGIN) * tolerance * before", "is_telling(before) && e * e <= T::constant(1e4) * tolerance * before"),
+    mutation("converged: only corrections near the solution tell the rate", RATE, "is_telling(before) && e * e", "e * e"),
+    mutation("at the floor: the residual is rounding", THOROUGH, "self.residual_is_rounding(known) && self.is_determined(&correction, known)", "self.is_determined(&correction, known)"),
+    mutation("at the floor: unknowns have digits", THOROUGH, "self.residual_is_rounding(known) && self.is_determined(&correction, known)", "self.residual_is_rounding(known)"),
+    mutation("diverged", THOROUGH, "return Err(Failure::Diverged);", "return Err(Failure::Stalled);"),
+    mutation("diverged: only consecutive growths count", THOROUGH, "                growths = 0;\n", ""),
+    mutation("stalled", THOROUGH, "        Err(Failure::Stalled)\n    }\n\n    /// Whether the residual after", "        Err(Failure::Diverged)\n    }\n\n    /// Whether the residual after"),
+    mutation("blame: what is not finite comes first", THOROUGH, "if let Some((row, value)) = first_not_finite(r) {", "if let Some((row, value)) = first_not_finite(r).filter(|_| false) {"),
+    mutation("blame: the largest residual", THOROUGH, "if value.abs() > most {\n            (largest", "if value.abs() < most {\n            (largest"),
+    // How a step moves the state on.
+    mutation("a failed step leaves the state", STEPPER, "require_finite(&next)?;\n        (*state, *lost) = (next, lost_then);", "(*state, *lost) = (next, lost_then);\n        require_finite(&next)?;"),
+    mutation("what is eliminated must be known", STEPPER, "if !(is_known && is_trusted::<S, T>(scene, &step, &x)) {", "if false {"),
+    mutation("sums of increments remember their rounding", STEPPER, "return compensated_sum(state, &change, lost);", "return (compensated_sum(state, &change, lost).0, *lost);"),
+    mutation("without `update` the state becomes x[k+1]", CONTEXT, "None => next.extend(self.at_level(i, Level::Next).entries)", "None => next.extend(self.at_level(i, Level::Half).entries)"),
+    mutation("with `update` it becomes that", CONTEXT, "Some(update) => next.extend(self.components(update, state.variable.shape))", "Some(_) => next.extend(self.known(i).entries)"),
+    mutation("a change is what is added", "codegen/src/change.rs", "is_sum.then(|| dag.sub(next, known))", "is_sum.then(|| dag.add(next, known))"),
+    mutation("the guess of x[k+1] is x", CONTEXT, "guesses.extend(self.known(i).entries);", "guesses.extend(vec![self.dag.integer(1); shape.len()]);"),
+    // Data and their requirements.
+    mutation("A > B: positive definite", "runtime/src/requirement.rs", "let is_positive = pivot > zero;", "let is_positive = k > 0 || pivot > zero;"),
+    mutation("A > B: symmetric", "runtime/src/requirement.rs", "if !is_symmetric {", "if false {"),
+    mutation("A >= B: may be singular", "runtime/src/requirement.rs", "Relation::GreaterOrEqual => (left, right, 1.0)", "Relation::GreaterOrEqual => (left, right, -1.0)"),
+    mutation("a < b: all components", "runtime/src/requirement.rs", "left.iter().zip(right).all(|(a, b)|", "left.iter().zip(right).any(|(a, b)|"),
+];
