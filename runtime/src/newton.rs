@@ -10,9 +10,9 @@ use crate::report::History;
 use crate::report::Report;
 use crate::report::Statistics;
 use crate::scalar::Real;
-use crate::settings::MOST_GROWTH;
 use crate::settings::MOST_QUICK;
 use crate::settings::Settings;
+use crate::settings::most_growth;
 use crate::shifts::Shifts;
 
 /// Newton's method with its workspace, made once per run.
@@ -143,7 +143,7 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
         statistics.iterations += 1;
         if S::HAS_CORRECTION {
             let (correction, growth) = S::correction(scene, step, x);
-            return (growth <= T::constant(MOST_GROWTH)).then_some(correction);
+            return (growth <= most_growth::<T>()).then_some(correction);
         }
         S::residual_and_jacobian(scene, step, x, &mut self.r, &mut self.j);
         self.j.solve(&self.r)

@@ -66,6 +66,13 @@ pub(crate) const ROUNDING: f64 = 64.0;
 /// digits, two fewer than Newton's tolerance asks for.
 pub(crate) const MOST_GROWTH: f64 = 1e6;
 
+/// The same for numbers of fewer digits, of which rounding grown by [`MOST_GROWTH`] would leave none: five are to be left of the
+/// seven of `f32`.
+#[inline]
+pub(crate) fn most_growth<T: Real>() -> T {
+    T::constant(f64::min(MOST_GROWTH, 5e-5 / T::EPSILON.to_f64()))
+}
+
 /// A second correction of up to this many ε is rounding and says only that the true one is no larger.
 pub(crate) const AT_ROUNDING: f64 = 4.0;
 

@@ -19,9 +19,9 @@ use crate::report::Statistics;
 use crate::scalar::Real;
 use crate::scalar::all_finite;
 use crate::sensitivity::amplification;
-use crate::settings::MOST_GROWTH;
 use crate::settings::Settings;
 use crate::settings::Strategy;
+use crate::settings::most_growth;
 
 /// A run of the solver `S`, such as the generated `Next` or `Increment`: each step solves r(x) = 0 for the
 /// unknowns x of the step and takes the next state from them.
@@ -81,7 +81,7 @@ impl<S: Correctable<T>, T: Real> Solver<S, T> {
         let (x, report) = self
             .newton
             .solve(scene, &step, state.as_ref(), statistics)?;
-        let most = T::constant(MOST_GROWTH);
+        let most = most_growth::<T>();
         let is_known = !self.is_core || amplification::<S, T>(scene, &step, &x, state) <= most;
         if !(is_known && is_trusted::<S, T>(scene, &step, &x)) {
             return Err(self.newton.fault(Failure::Singular));
@@ -144,7 +144,7 @@ impl<S: Correctable<T>, T: Real> Solver<S, T> {
 /// Whether what is eliminated follows from `x` to more than rounding. False for NaN.
 #[inline]
 fn is_trusted<S: System<T>, T: Real>(scene: &S::Scene, step: &S::Step, x: &S::Unknowns) -> bool {
-    S::growth(scene, step, x) <= T::constant(MOST_GROWTH)
+    S::growth(scene, step, x) <= most_growth::<T>()
 }
 
 impl<S: Solvable<T>, T: Real> Method<T> for Implicit<S, T> {

@@ -102,7 +102,7 @@ pub const ALL: &[Mutation] = &[
     // Newton's method: how each outcome is reached.
     mutation("a correction is subtracted", NEWTON, "*x = *x - *correction;", "*x = *x + *correction;"),
     mutation("quick corrections must be enough", NEWTON, "all & (c.abs() <= *enough)", "all | (c.abs() <= *enough)"),
-    mutation("corrections whose rounding grows are not trusted", NEWTON, "(growth <= T::constant(MOST_GROWTH)).then_some(correction)", "(growth >= T::constant(0.0)).then_some(correction)"),
+    mutation("corrections whose rounding grows are not trusted", NEWTON, "(growth <= most_growth::<T>()).then_some(correction)", "(growth >= T::constant(0.0)).then_some(correction)"),
     mutation("what a solver learnt is forgotten with the state", NEWTON, "self.shifts = Shifts::new(self.x);\n        self.trust = 0;", ""),
     mutation("not finite: residual", THOROUGH, "            require_finite(&self.r)?;\n", ""),
     mutation("not finite: unknowns", THOROUGH, "            require_finite(&self.x)?;\n", ""),

@@ -22,9 +22,9 @@ use crate::scalar::larger;
 use crate::scalar::largest_of;
 use crate::settings::AT_ROUNDING;
 use crate::settings::LEFTOVER;
-use crate::settings::MOST_GROWTH;
 use crate::settings::ROUNDING;
 use crate::settings::TRUSTED_STEPS;
+use crate::settings::most_growth;
 
 impl<S: Correctable<T>, T: Real> Newton<S, T> {
     /// The solution from the extrapolated start, and if that fails from the plain guess.
@@ -250,7 +250,7 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
     /// Whether every block is known to ten digits, or so small that no equation feels it: an unknown that is 0 but for
     /// rounding has no digits and needs none.
     fn is_determined(&self, correction: &S::Unknowns, known: &[T]) -> bool {
-        let digits = T::constant(MOST_GROWTH) * T::EPSILON;
+        let digits = most_growth::<T>() * T::EPSILON;
         let rounding = T::constant(ROUNDING) * T::EPSILON;
         let n = self.r.as_ref().len().max(1);
         self.blocks(known).all(|(unknowns, scale)| {
