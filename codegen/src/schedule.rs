@@ -128,8 +128,19 @@ pub struct Program {
     pub outputs: Schedule,
     /// Kernel `flow`, if the model has one.
     pub flow: Option<Schedule>,
+    /// Its Taylor series, or why it has none.
+    pub series: Option<Result<Expansion, String>>,
     /// One per form.
     pub solvers: Vec<Solver>,
+}
+
+/// Recurrences for Taylor coefficients at their rates: what is of order 0 is of rate Step.
+#[derive(Clone, Debug)]
+pub struct Expansion {
+    /// Kernels `rates`, of order 0, and `next`, of order n: the rates, then aₙ and bₙ of each inner sum.
+    pub schedule: Schedule,
+    /// Inner sums.
+    pub n_lanes: usize,
 }
 
 /// As derived, but for numbers, of which the hash of a [`BigRational`] takes a continued fraction: they are in lowest

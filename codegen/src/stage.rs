@@ -22,12 +22,14 @@ mod tests;
 use crate::dag::Dag;
 use crate::dag::NodeId;
 use crate::dag::Rate;
+use crate::schedule::Expansion;
 use crate::schedule::Program;
 use crate::schedule::Schedule;
 use crate::schedule::Solver;
 use crate::system::Core;
 use crate::system::Entry;
 use crate::system::Equations;
+use crate::system::Series;
 use crate::system::System;
 
 /// A function wanted from a graph: its name, when it is called, and its results.
@@ -48,7 +50,11 @@ pub fn stage(dag: &Dag, kernels: &[Wanted]) -> Schedule {
 }
 
 /// The schedules of a whole model.
-pub fn program(equations: &Equations, systems: &[System]) -> Program {
+pub fn program(
+    equations: &Equations,
+    systems: &[System],
+    series: Option<Result<Series, String>>,
+) -> Program {
     let one = |name, rate, roots: &[NodeId]| stage(&equations.dag, &[(name, rate, roots.to_vec())]);
     Program {
         defaults: one("defaults", Rate::Scene, &equations.defaults),
@@ -58,7 +64,22 @@ pub fn program(equations: &Equations, systems: &[System]) -> Program {
             .flow
             .as_ref()
             .map(|roots| one("flow", Rate::Step, roots)),
+        series: series.map(|series| Ok(expansion(&series?))),
         solvers: systems.iter().map(solver).collect(),
+    }
+}
+
+fn expansion(series: &Series) -> Expansion {
+    let [left, right] = [0, 1].map(|side| series.lanes.iter().map(move |lane| lane[side]));
+    let coefficients = series.coefficients.iter().copied();
+    let next = coefficients.chain(left).chain(right).collect();
+    let kernels = [
+        ("rates", Rate::Iteration, series.rates.clone()),
+        ("next", Rate::Iteration, next),
+    ];
+    Expansion {
+        schedule: stage(&series.dag, &kernels),
+        n_lanes: series.lanes.len(),
     }
 }
 

@@ -57,6 +57,7 @@ extern crate self as residua;
 #[cfg(any(test, feature = "ensemble"))]
 extern crate std;
 
+mod compensated;
 mod component;
 pub mod description;
 #[cfg(feature = "ensemble")]
@@ -71,6 +72,7 @@ mod newton;
 mod report;
 mod runge_kutta;
 mod scalar;
+mod scheme;
 mod settings;
 mod shifts;
 #[cfg(test)]
@@ -112,6 +114,7 @@ pub use model::Cache;
 pub use model::Flow;
 pub use model::Model;
 pub use model::Record;
+pub use model::Series;
 pub use model::StateArray;
 pub use model::System;
 pub use report::History;
@@ -124,6 +127,7 @@ pub use runge_kutta::Explicit;
 pub use runge_kutta::RungeKutta4;
 pub use scalar::Real;
 pub use scalar::Scalar;
+pub use scheme::taylor;
 pub use settings::Settings;
 pub use settings::Strategy;
 pub use stepper::Implicit;

@@ -61,6 +61,46 @@ pub trait Flow<T: Scalar>: Model<T> {
     ) -> <Self::State as Record<T>>::Array;
 }
 
+/// A flow with recurrences for the Taylor coefficients of its motions. Implemented by the generated `Model` where every
+/// function in its flow has one.
+///
+/// Along a motion, every quantity is a series a = Σ aₙ sⁿ in the time s since the start of a step, in units that the run
+/// chooses. All that recurrences sum over are inner sums ⟨a, b⟩ₙ = Σ aⱼ bₙ₋ⱼ, 0 < j < n, which hold no coefficient of order
+/// n: all of them can be made at once, as lanes.
+pub trait Series<T: Scalar>: Flow<T> {
+    /// What depends on the parameters only, computed once per run.
+    type Scene: Copy;
+    /// What depends on the start of a step only: order 0.
+    type Base: Copy;
+    /// `[T; n]`, one for each inner sum.
+    type Lanes: AsRef<[T]> + AsMut<[T]> + Copy;
+    /// Zero for each inner sum.
+    fn lanes() -> Self::Lanes;
+    /// Computes the scene cache.
+    fn scene(parameters: &Self::Parameters) -> Self::Scene;
+    /// Order 0 at time `t` and state `x`.
+    fn base(
+        scene: &Self::Scene,
+        t: T,
+        x: &<Self::State as Record<T>>::Array,
+    ) -> <Self as Series<T>>::Base;
+    /// dx/dt of order 0.
+    fn rates(scene: &Self::Scene, base: &Self::Base) -> <Self::State as Record<T>>::Array;
+    /// dx/dt of order n, and aₙ and bₙ of each inner sum, from the state of order n, from \[tₙ, n, 1/n\] and the inner sums
+    /// of order n.
+    fn next(
+        scene: &Self::Scene,
+        base: &Self::Base,
+        newest: &<Self::State as Record<T>>::Array,
+        order: &[T; 3],
+        sums: &Self::Lanes,
+    ) -> (
+        <Self::State as Record<T>>::Array,
+        Self::Lanes,
+        Self::Lanes,
+    );
+}
+
 /// Shorthand for the flat array behind the state of `S`.
 pub type StateArray<S, T> = <<<S as System<T>>::Model as Model<T>>::State as Record<T>>::Array;
 

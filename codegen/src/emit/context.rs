@@ -8,20 +8,22 @@ use super::scope::identifier;
 use super::statements::Statements;
 use super::statements::write;
 use super::variables::Variables;
-use crate::ast::Form;
 use crate::dag::Leaf;
 use crate::dag::Rate;
 use crate::model::Model;
 use crate::schedule::Count;
+use crate::schedule::Expansion;
 use crate::schedule::Kernel;
 use crate::schedule::Schedule;
 use crate::schedule::Solver;
 use crate::schedule::ValueId;
+use crate::system::Series;
 use proc_macro2::Ident;
 use proc_macro2::TokenStream;
 use quote::ToTokens;
 use quote::quote;
 use std::collections::BTreeSet;
+use std::ops::Range;
 
 /// A schedule with everything its functions share.
 pub(super) struct Context<'a> {
@@ -30,7 +32,13 @@ pub(super) struct Context<'a> {
     names: Names,
     pub(super) scene: Cache,
     pub(super) step: Cache,
-    unknowns: &'a [usize],
+    unknowns: Vec<Group>,
+}
+
+/// Some unknowns, and the array that holds them.
+struct Group {
+    argument: &'static str,
+    unknowns: Vec<usize>,
 }
 
 /// The body of a function.
@@ -58,21 +66,44 @@ impl Body {
 impl<'a> Context<'a> {
     /// A schedule without unknowns.
     pub(super) fn new(model: &'a Model, schedule: &'a Schedule) -> Self {
-        Self::with_unknowns(model, None, schedule, &[])
+        Self::with_unknowns(model, &Variables::new(model, None), schedule, Vec::new())
     }
 
     /// The schedule of a solver.
     pub(super) fn of_solver(model: &'a Model, solver: &'a Solver) -> Self {
-        Self::with_unknowns(model, Some(solver.form), &solver.schedule, &solver.unknowns)
+        let unknowns = Group {
+            argument: "unknowns",
+            unknowns: solver.unknowns.clone(),
+        };
+        let variables = Variables::new(model, Some(solver.form));
+        Self::with_unknowns(model, &variables, &solver.schedule, vec![unknowns])
+    }
+
+    /// The schedule of Taylor coefficients.
+    pub(super) fn of_series(model: &'a Model, expansion: &'a Expansion) -> Self {
+        let n = model.n_states();
+        let sums = n + Series::GIVEN;
+        let groups = [
+            ("newest", 0..n),
+            ("order", n..sums),
+            ("sums", sums..sums + expansion.n_lanes),
+        ];
+        let group = |(argument, unknowns): (_, Range<usize>)| Group {
+            argument,
+            unknowns: unknowns.collect(),
+        };
+        let variables = Variables::of_series(model, expansion.n_lanes);
+        let groups = groups.into_iter().map(group).collect();
+        Self::with_unknowns(model, &variables, &expansion.schedule, groups)
     }
 
     fn with_unknowns(
         model: &'a Model,
-        form: Option<Form>,
+        variables: &Variables,
         schedule: &'a Schedule,
-        unknowns: &'a [usize],
+        unknowns: Vec<Group>,
     ) -> Self {
-        let mut names = Names::new(schedule, &Variables::new(model, form));
+        let mut names = Names::new(schedule, variables);
         Self {
             model,
             schedule,
@@ -173,7 +204,6 @@ impl<'a> Context<'a> {
             record.pattern(&quote!(super::#path), |i| name(leaf(i)))
         };
         let states = (0..state.len()).map(|i| name(Leaf::State(i)));
-        let unknowns = self.unknowns.iter().map(|&i| name(Leaf::Unknown(i)));
         let patterns = [
             ("parameters", record(&parameters, Leaf::Parameter)),
             ("scene", self.scene.pattern(|v| read.cached.contains(&v))),
@@ -186,10 +216,13 @@ impl<'a> Context<'a> {
                     array(states.collect())
                 },
             ),
-            ("unknowns", array(unknowns.collect())),
         ];
+        let groups = self.unknowns.iter().map(|group| {
+            let unknowns = group.unknowns.iter().map(|&i| name(Leaf::Unknown(i)));
+            (group.argument, array(unknowns.collect()))
+        });
         let mut inputs = TokenStream::new();
-        for (argument, pattern) in patterns {
+        for (argument, pattern) in patterns.into_iter().chain(groups) {
             if let Some(pattern) = pattern {
                 let source = identifier(argument);
                 used.insert(argument);

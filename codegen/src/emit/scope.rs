@@ -26,6 +26,9 @@ const ARGUMENTS: &[&str] = &[
     "scene",
     "step",
     "unknowns",
+    "newest",
+    "order",
+    "sums",
     "residual",
     "jacobian",
 ];

@@ -51,6 +51,17 @@ impl Variables {
         variables
     }
 
+    /// The inputs of recurrences with so many inner sums.
+    pub(super) fn of_series(model: &Model, n_lanes: usize) -> Self {
+        let mut variables = Self::new(model, None);
+        let newest = variables.states.iter().map(|name| format!("{name}_n"));
+        let given = ["t_n", "n", "inverse_n"].map(str::to_owned);
+        let sums = (1..=n_lanes).map(|lane| format!("sum_{lane}"));
+        variables.unknowns = newest.chain(given).chain(sums).collect();
+        variables.advanced = vec![None; variables.unknowns.len()];
+        variables
+    }
+
     /// The name of an input.
     pub(super) fn name(&self, leaf: Leaf) -> &str {
         match leaf {

@@ -1,0 +1,3 @@
+//! Schemes for the continuous equations.
+
+pub mod taylor;
