@@ -137,10 +137,20 @@ pub struct Program {
 /// Recurrences for Taylor coefficients at their rates: what is of order 0 is of rate Step.
 #[derive(Clone, Debug)]
 pub struct Expansion {
-    /// Kernels `rates`, of order 0, and `next`, of order n: the rates, then aₙ and bₙ of each inner sum.
+    /// Kernels `rates`, of order 0, and `next`, of order n: the rates, then aₙ of each inner sum in full rows, then bₙ.
     pub schedule: Schedule,
     /// Inner sums.
     pub n_lanes: usize,
+}
+
+impl Expansion {
+    /// Inner sums that stand in one row: doubles in the longest vectors there are.
+    pub const ROW: usize = 8;
+
+    /// Rows of inner sums; zeros fill the last one.
+    pub fn n_rows(&self) -> usize {
+        self.n_lanes.div_ceil(Self::ROW)
+    }
 }
 
 /// As derived, but for numbers, of which the hash of a [`BigRational`] takes a continued fraction: they are in lowest

@@ -70,7 +70,12 @@ pub fn program(
 }
 
 fn expansion(series: &Series) -> Expansion {
-    let [left, right] = [0, 1].map(|side| series.lanes.iter().map(move |lane| lane[side]));
+    let n_lanes = series.lanes.len();
+    let filling = n_lanes.next_multiple_of(Expansion::ROW) - n_lanes;
+    let [left, right] = [0, 1].map(|side| {
+        let lanes = series.lanes.iter().map(move |lane| lane[side]);
+        lanes.chain(std::iter::repeat_n(series.zero, filling))
+    });
     let coefficients = series.coefficients.iter().copied();
     let next = coefficients.chain(left).chain(right).collect();
     let kernels = [
@@ -79,7 +84,7 @@ fn expansion(series: &Series) -> Expansion {
     ];
     Expansion {
         schedule: stage(&series.dag, &kernels),
-        n_lanes: series.lanes.len(),
+        n_lanes,
     }
 }
 

@@ -186,6 +186,8 @@ pub struct Series {
     pub coefficients: Vec<NodeId>,
     /// aₙ and bₙ of each inner sum.
     pub lanes: Vec<[NodeId; 2]>,
+    /// The number 0.
+    pub zero: NodeId,
 }
 
 impl Series {

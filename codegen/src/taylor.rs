@@ -155,6 +155,7 @@ impl Builder {
             rates: rates.to_vec(),
             coefficients,
             lanes: self.lanes,
+            zero,
         }
     }
 }

@@ -69,6 +69,7 @@ mod lanes;
 mod linear;
 mod model;
 mod newton;
+pub mod packed;
 mod report;
 mod runge_kutta;
 mod scalar;

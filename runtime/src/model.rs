@@ -2,6 +2,7 @@
 
 use crate::description::Description;
 use crate::description::Unknown;
+use crate::packed::Rows;
 use crate::scalar::Scalar;
 
 /// A fixed number of scalars under names: parameters, states or outputs of a model.
@@ -72,8 +73,8 @@ pub trait Series<T: Scalar>: Flow<T> {
     type Scene: Copy;
     /// What depends on the start of a step only: order 0.
     type Base: Copy;
-    /// `[T; n]`, one for each inner sum.
-    type Lanes: AsRef<[T]> + AsMut<[T]> + Copy;
+    /// `[[T; 8]; n]`: one for each inner sum, and zeros to fill the last row.
+    type Lanes: Rows<T>;
     /// Zero for each inner sum.
     fn lanes() -> Self::Lanes;
     /// Computes the scene cache.

@@ -219,7 +219,11 @@ impl<'a> Context<'a> {
         ];
         let groups = self.unknowns.iter().map(|group| {
             let unknowns = group.unknowns.iter().map(|&i| name(Leaf::Unknown(i)));
-            (group.argument, array(unknowns.collect()))
+            let pattern = match group.argument {
+                "sums" => rows(unknowns.collect()),
+                _ => array(unknowns.collect()),
+            };
+            (group.argument, pattern)
         });
         let mut inputs = TokenStream::new();
         for (argument, pattern) in patterns.into_iter().chain(groups) {
@@ -268,6 +272,17 @@ fn array(components: Vec<Option<TokenStream>>) -> Option<TokenStream> {
     let is_wanted = components.iter().any(Option::is_some);
     let components = components.into_iter().map(|c| c.unwrap_or(quote!(_)));
     is_wanted.then(|| quote!([#(#components),*]))
+}
+
+/// `[[a, _, …], [c, …]]` in full rows with what is wanted, if anything is.
+fn rows(mut components: Vec<Option<TokenStream>>) -> Option<TokenStream> {
+    components.resize(components.len().next_multiple_of(Expansion::ROW), None);
+    let is_wanted = components.iter().any(Option::is_some);
+    let rows = components.chunks(Expansion::ROW).map(|row| {
+        let row = row.iter().map(|c| c.clone().unwrap_or(quote!(_)));
+        quote!([#(#row),*])
+    });
+    is_wanted.then(|| quote!([#(#rows),*]))
 }
 
 /// `12 additions, 1 call`

@@ -12,7 +12,7 @@ use quote::quote;
 
 /// The `Series` implementation of `Model`, with its caches.
 pub(super) fn emit(model: &Model, expansion: &Expansion) -> TokenStream {
-    let lanes = whole(expansion.n_lanes);
+    let rows = whole(expansion.n_rows());
     let mut context = Context::of_series(model, expansion);
     let caches = [
         context.scene.declare("What depends on parameters only."),
@@ -23,7 +23,7 @@ pub(super) fn emit(model: &Model, expansion: &Expansion) -> TokenStream {
         scene_function(&mut context),
         step_function(&mut context),
         rates_function(&mut context),
-        next_function(&mut context, expansion.n_lanes),
+        next_function(&mut context, expansion),
     ];
     let allow = allow();
     quote! {
@@ -34,10 +34,10 @@ pub(super) fn emit(model: &Model, expansion: &Expansion) -> TokenStream {
             impl<T: ::residua::Scalar> ::residua::Series<T> for super::Model {
                 type Scene = #scene_type;
                 type Base = #step_type;
-                type Lanes = [T; #lanes];
+                type Lanes = [[T; 8]; #rows];
 
-                fn lanes() -> [T; #lanes] {
-                    [T::constant(0.0); #lanes]
+                fn lanes() -> [[T; 8]; #rows] {
+                    [[T::constant(0.0); 8]; #rows]
                 }
 
                 #(#functions)*
@@ -95,20 +95,21 @@ fn rates_function(context: &mut Context) -> TokenStream {
     }
 }
 
-fn next_function(context: &mut Context, n_lanes: usize) -> TokenStream {
+fn next_function(context: &mut Context, expansion: &Expansion) -> TokenStream {
     let body = context.body("next");
     let (scene_type, step_type) = (context.scene.ty(), context.step.ty());
     let n_states = context.model.n_states();
     let lines = lines(&context.model.flow);
     let doc = format!(
-        " Order n{lines}: {n_lanes} inner sums of n − 1 products, and {}.",
-        body.cost
+        " Order n{lines}: {} inner sums of n − 1 products, and {}.",
+        expansion.n_lanes, body.cost
     );
     let [scene, step, newest, order, sums] =
         ["scene", "step", "newest", "order", "sums"].map(|name| body.argument(name));
     let (rates, sides) = body.roots.split_at(n_states);
-    let (left, right) = sides.split_at(n_lanes);
-    let (n, lanes) = (whole(n_states), whole(n_lanes));
+    let (left, right) = sides.split_at(sides.len() / 2);
+    let [left, right] = [left, right].map(|side| nested(side, Expansion::ROW));
+    let (n, rows) = (whole(n_states), whole(expansion.n_rows()));
     let tokens = &body.tokens;
     quote! {
         #[doc = #doc]
@@ -118,10 +119,16 @@ fn next_function(context: &mut Context, n_lanes: usize) -> TokenStream {
             #step: &#step_type,
             #newest: &[T; #n],
             #order: &[T; 3],
-            #sums: &[T; #lanes],
-        ) -> ([T; #n], [T; #lanes], [T; #lanes]) {
+            #sums: &[[T; 8]; #rows],
+        ) -> ([T; #n], [[T; 8]; #rows], [[T; 8]; #rows]) {
             #tokens
-            ([#(#rates),*], [#(#left),*], [#(#right),*])
+            ([#(#rates),*], #left, #right)
         }
     }
+}
+
+/// Rows of so many each.
+fn nested(components: &[TokenStream], row: usize) -> TokenStream {
+    let rows = components.chunks(row).map(|row| quote!([#(#row),*]));
+    quote!([#(#rows),*])
 }
