@@ -137,19 +137,22 @@ pub struct Program {
 /// Recurrences for Taylor coefficients at their rates: what is of order 0 is of rate Step.
 #[derive(Clone, Debug)]
 pub struct Expansion {
-    /// Kernels `rates`, of order 0, and `next`, of order n: the rates, then aₙ of each inner sum in full rows, then bₙ.
+    /// Kernels `rates` and `starts`, of order 0, `factors` and `next`, of order n: the rates, and aₙ and then bₙ of each
+    /// product, and of each inner sum, in full rows.
     pub schedule: Schedule,
     /// Inner sums.
-    pub n_lanes: usize,
+    pub n_sums: usize,
+    /// Products.
+    pub n_products: usize,
 }
 
 impl Expansion {
-    /// Inner sums that stand in one row: doubles in the longest vectors there are.
-    pub const ROW: usize = 8;
+    /// Lanes that stand in one row.
+    pub const ROW: usize = 4;
 
-    /// Rows of inner sums; zeros fill the last one.
-    pub fn n_rows(&self) -> usize {
-        self.n_lanes.div_ceil(Self::ROW)
+    /// Rows that so many lanes fill, with zeros at the end.
+    pub fn rows(n_lanes: usize) -> usize {
+        n_lanes.div_ceil(Self::ROW)
     }
 }
 

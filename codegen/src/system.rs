@@ -174,8 +174,8 @@ pub struct Equations {
 
 /// Recurrences for the Taylor coefficients of a motion.
 ///
-/// The unknowns of its graph are, in this order: the coefficients of order n of the state, those of t, n itself, 1/n,
-/// and the inner sums Σ aⱼ bₙ₋ⱼ, 0 < j < n.
+/// The unknowns of its graph are, in this order: the coefficients of order n of the state, those of t, n itself, 1/n, and
+/// in turns an inner sum Σ aⱼ bₙ₋ⱼ, 0 < j < n, and a product Σ aⱼ bₙ₋ⱼ, 0 ≤ j ≤ n, of quantities that need none of both.
 #[derive(Clone, Debug)]
 pub struct Series {
     /// All nodes.
@@ -185,7 +185,11 @@ pub struct Series {
     /// Its coefficient of order n.
     pub coefficients: Vec<NodeId>,
     /// aₙ and bₙ of each inner sum.
-    pub lanes: Vec<[NodeId; 2]>,
+    pub sums: Vec<[NodeId; 2]>,
+    /// aₙ and bₙ of each product.
+    pub products: Vec<[NodeId; 2]>,
+    /// a₀ and b₀ of each product.
+    pub starts: Vec<[NodeId; 2]>,
     /// The number 0.
     pub zero: NodeId,
 }
@@ -210,7 +214,12 @@ impl Series {
     }
 
     /// An inner sum.
-    pub fn inner(n_states: usize, lane: usize) -> Leaf {
-        Leaf::Unknown(n_states + Self::GIVEN + lane)
+    pub fn sum(n_states: usize, lane: usize) -> usize {
+        n_states + Self::GIVEN + 2 * lane
+    }
+
+    /// A product.
+    pub fn product(n_states: usize, lane: usize) -> usize {
+        n_states + Self::GIVEN + 2 * lane + 1
     }
 }

@@ -7,7 +7,8 @@
 //!
 //! What all recurrences have in common is taken apart: a product is wₙ = a₀ bₙ + aₙ b₀ + Σ aⱼ bₙ₋ⱼ, 0 < j < n, and so are
 //! the rest with factors j. These inner sums hold no coefficient of order n, so they need nothing from one another: one
-//! loop makes all of them as lanes, and what remains is straight-line code, the same for every order.
+//! loop makes all of them as lanes, and what remains is straight-line code, the same for every order. Products of what is
+//! linear in the state come whole from these lanes.
 //!
 //! ```text
 //! w = a b      wₙ = a₀ bₙ + aₙ b₀ + ⟨a, b⟩          ⟨a, b⟩ = Σ aⱼ bₙ₋ⱼ, 0 < j < n;  D a: the series with n aₙ
@@ -65,6 +66,12 @@ struct Builder {
     lanes: Vec<[NodeId; 2]>,
     /// The inner sum of two series that are known apart from it.
     sums: BTreeMap<[NodeId; 2], usize>,
+    /// The two series of each product, by their coefficients of order n and 0.
+    products: Vec<([NodeId; 2], [NodeId; 2])>,
+    /// The product of two series.
+    whole: BTreeMap<[NodeId; 2], usize>,
+    /// For each node whether it needs an inner sum or a product.
+    is_late: Vec<bool>,
     /// Functions that come with others, by what they are: cos with sin.
     companions: BTreeMap<NodeId, NodeId>,
 }
@@ -77,6 +84,9 @@ impl Builder {
             newest: Vec::new(),
             lanes: Vec::new(),
             sums: BTreeMap::new(),
+            products: Vec::new(),
+            whole: BTreeMap::new(),
+            is_late: Vec::new(),
             companions: BTreeMap::new(),
         }
     }
@@ -154,7 +164,9 @@ impl Builder {
             dag: self.dag,
             rates: rates.to_vec(),
             coefficients,
-            lanes: self.lanes,
+            sums: self.lanes,
+            products: self.products.iter().map(|product| product.0).collect(),
+            starts: self.products.iter().map(|product| product.1).collect(),
             zero,
         }
     }

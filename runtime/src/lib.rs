@@ -59,6 +59,7 @@ extern crate std;
 
 mod compensated;
 mod component;
+pub mod convolution;
 pub mod description;
 #[cfg(feature = "ensemble")]
 mod ensemble;
@@ -69,7 +70,6 @@ mod lanes;
 mod linear;
 mod model;
 mod newton;
-pub mod packed;
 mod report;
 mod runge_kutta;
 mod scalar;

@@ -1,8 +1,8 @@
 //! The traits that generated code implements.
 
+use crate::convolution::Rows;
 use crate::description::Description;
 use crate::description::Unknown;
-use crate::packed::Rows;
 use crate::scalar::Scalar;
 
 /// A fixed number of scalars under names: parameters, states or outputs of a model.
@@ -66,17 +66,19 @@ pub trait Flow<T: Scalar>: Model<T> {
 /// function in its flow has one.
 ///
 /// Along a motion, every quantity is a series a = Σ aₙ sⁿ in the time s since the start of a step, in units that the run
-/// chooses. All that recurrences sum over are inner sums ⟨a, b⟩ₙ = Σ aⱼ bₙ₋ⱼ, 0 < j < n, which hold no coefficient of order
-/// n: all of them can be made at once, as lanes.
+/// chooses. All that recurrences sum over are products Σ aⱼ bₙ₋ⱼ, either whole, 0 ≤ j ≤ n, or inner sums, 0 < j < n, which
+/// hold no coefficient of order n. They need nothing from one another, so that they can be made as lanes.
 pub trait Series<T: Scalar>: Flow<T> {
     /// What depends on the parameters only, computed once per run.
     type Scene: Copy;
     /// What depends on the start of a step only: order 0.
     type Base: Copy;
-    /// `[[T; 8]; n]`: one for each inner sum, and zeros to fill the last row.
-    type Lanes: Rows<T>;
-    /// Zero for each inner sum.
-    fn lanes() -> Self::Lanes;
+    /// One for each inner sum, and zeros to fill the last row.
+    type Sums: Rows<T>;
+    /// One for each product, and zeros to fill the last row.
+    type Products: Rows<T>;
+    /// Zero for each.
+    fn zeros() -> (Self::Sums, Self::Products);
     /// Computes the scene cache.
     fn scene(parameters: &Self::Parameters) -> Self::Scene;
     /// Order 0 at time `t` and state `x`.
@@ -87,19 +89,24 @@ pub trait Series<T: Scalar>: Flow<T> {
     ) -> <Self as Series<T>>::Base;
     /// dx/dt of order 0.
     fn rates(scene: &Self::Scene, base: &Self::Base) -> <Self::State as Record<T>>::Array;
-    /// dx/dt of order n, and aₙ and bₙ of each inner sum, from the state of order n, from \[tₙ, n, 1/n\] and the inner sums
-    /// of order n.
+    /// a₀ and b₀ of each product.
+    fn starts(scene: &Self::Scene, base: &Self::Base) -> [Self::Products; 2];
+    /// aₙ and bₙ of each product, from the state of order n and \[tₙ, n, 1/n\].
+    fn factors(
+        scene: &Self::Scene,
+        base: &Self::Base,
+        newest: &<Self::State as Record<T>>::Array,
+        order: &[T; 3],
+    ) -> [Self::Products; 2];
+    /// dx/dt of order n, and aₙ and bₙ of each inner sum, from the same, the products and the inner sums of order n.
     fn next(
         scene: &Self::Scene,
         base: &Self::Base,
         newest: &<Self::State as Record<T>>::Array,
         order: &[T; 3],
-        sums: &Self::Lanes,
-    ) -> (
-        <Self::State as Record<T>>::Array,
-        Self::Lanes,
-        Self::Lanes,
-    );
+        products: &Self::Products,
+        sums: &Self::Sums,
+    ) -> (<Self::State as Record<T>>::Array, [Self::Sums; 2]);
 }
 
 /// Shorthand for the flat array behind the state of `S`.

@@ -23,7 +23,6 @@ use proc_macro2::TokenStream;
 use quote::ToTokens;
 use quote::quote;
 use std::collections::BTreeSet;
-use std::ops::Range;
 
 /// A schedule with everything its functions share.
 pub(super) struct Context<'a> {
@@ -82,18 +81,16 @@ impl<'a> Context<'a> {
     /// The schedule of Taylor coefficients.
     pub(super) fn of_series(model: &'a Model, expansion: &'a Expansion) -> Self {
         let n = model.n_states();
-        let sums = n + Series::GIVEN;
-        let groups = [
-            ("newest", 0..n),
-            ("order", n..sums),
-            ("sums", sums..sums + expansion.n_lanes),
+        let sums = 0..expansion.n_sums;
+        let products = 0..expansion.n_products;
+        let group = |argument, unknowns| Group { argument, unknowns };
+        let groups = vec![
+            group("newest", (0..n).collect()),
+            group("order", (n..n + Series::GIVEN).collect()),
+            group("sums", sums.map(|lane| Series::sum(n, lane)).collect()),
+            group("products", products.map(|lane| Series::product(n, lane)).collect()),
         ];
-        let group = |(argument, unknowns): (_, Range<usize>)| Group {
-            argument,
-            unknowns: unknowns.collect(),
-        };
-        let variables = Variables::of_series(model, expansion.n_lanes);
-        let groups = groups.into_iter().map(group).collect();
+        let variables = Variables::of_series(model, expansion);
         Self::with_unknowns(model, &variables, &expansion.schedule, groups)
     }
 
@@ -220,7 +217,7 @@ impl<'a> Context<'a> {
         let groups = self.unknowns.iter().map(|group| {
             let unknowns = group.unknowns.iter().map(|&i| name(Leaf::Unknown(i)));
             let pattern = match group.argument {
-                "sums" => rows(unknowns.collect()),
+                "sums" | "products" => rows(unknowns.collect()),
                 _ => array(unknowns.collect()),
             };
             (group.argument, pattern)

@@ -29,6 +29,7 @@ const ARGUMENTS: &[&str] = &[
     "newest",
     "order",
     "sums",
+    "products",
     "residual",
     "jacobian",
 ];

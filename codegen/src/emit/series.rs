@@ -12,7 +12,8 @@ use quote::quote;
 
 /// The `Series` implementation of `Model`, with its caches.
 pub(super) fn emit(model: &Model, expansion: &Expansion) -> TokenStream {
-    let rows = whole(expansion.n_rows());
+    let rows = [expansion.n_sums, expansion.n_products].map(Expansion::rows);
+    let [sum_rows, product_rows] = rows.map(whole);
     let mut context = Context::of_series(model, expansion);
     let caches = [
         context.scene.declare("What depends on parameters only."),
@@ -23,6 +24,8 @@ pub(super) fn emit(model: &Model, expansion: &Expansion) -> TokenStream {
         scene_function(&mut context),
         step_function(&mut context),
         rates_function(&mut context),
+        starts_function(&mut context),
+        factors_function(&mut context),
         next_function(&mut context, expansion),
     ];
     let allow = allow();
@@ -34,10 +37,12 @@ pub(super) fn emit(model: &Model, expansion: &Expansion) -> TokenStream {
             impl<T: ::residua::Scalar> ::residua::Series<T> for super::Model {
                 type Scene = #scene_type;
                 type Base = #step_type;
-                type Lanes = [[T; 8]; #rows];
+                type Sums = [[T; 4]; #sum_rows];
+                type Products = [[T; 4]; #product_rows];
 
-                fn lanes() -> [[T; 8]; #rows] {
-                    [[T::constant(0.0); 8]; #rows]
+                fn zeros() -> (Self::Sums, Self::Products) {
+                    let row = [T::constant(0.0); 4];
+                    ([row; #sum_rows], [row; #product_rows])
                 }
 
                 #(#functions)*
@@ -95,21 +100,59 @@ fn rates_function(context: &mut Context) -> TokenStream {
     }
 }
 
+fn starts_function(context: &mut Context) -> TokenStream {
+    let body = context.body("starts");
+    let (scene_type, step_type) = (context.scene.ty(), context.step.ty());
+    let [scene, step] = ["scene", "step"].map(|name| body.argument(name));
+    let tokens = &body.tokens;
+    let [left, right] = sides(&body.roots);
+    quote! {
+        #[inline(always)]
+        fn starts(#scene: &#scene_type, #step: &#step_type) -> [Self::Products; 2] {
+            #tokens
+            [#left, #right]
+        }
+    }
+}
+
+fn factors_function(context: &mut Context) -> TokenStream {
+    let body = context.body("factors");
+    let (scene_type, step_type) = (context.scene.ty(), context.step.ty());
+    let n = whole(context.model.n_states());
+    let doc = format!(" Order n of what is multiplied: {}.", body.cost);
+    let [scene, step, newest, order] =
+        ["scene", "step", "newest", "order"].map(|name| body.argument(name));
+    let tokens = &body.tokens;
+    let [left, right] = sides(&body.roots);
+    quote! {
+        #[doc = #doc]
+        #[inline(always)]
+        fn factors(
+            #scene: &#scene_type,
+            #step: &#step_type,
+            #newest: &[T; #n],
+            #order: &[T; 3],
+        ) -> [Self::Products; 2] {
+            #tokens
+            [#left, #right]
+        }
+    }
+}
+
 fn next_function(context: &mut Context, expansion: &Expansion) -> TokenStream {
     let body = context.body("next");
     let (scene_type, step_type) = (context.scene.ty(), context.step.ty());
     let n_states = context.model.n_states();
     let lines = lines(&context.model.flow);
     let doc = format!(
-        " Order n{lines}: {} inner sums of n − 1 products, and {}.",
-        expansion.n_lanes, body.cost
+        " Order n{lines}: {} sums of n + 1 products, {} sums of n − 1 products, and {}.",
+        expansion.n_products, expansion.n_sums, body.cost
     );
-    let [scene, step, newest, order, sums] =
-        ["scene", "step", "newest", "order", "sums"].map(|name| body.argument(name));
-    let (rates, sides) = body.roots.split_at(n_states);
-    let (left, right) = sides.split_at(sides.len() / 2);
-    let [left, right] = [left, right].map(|side| nested(side, Expansion::ROW));
-    let (n, rows) = (whole(n_states), whole(expansion.n_rows()));
+    let arguments = ["scene", "step", "newest", "order", "products", "sums"];
+    let [scene, step, newest, order, products, sums] = arguments.map(|name| body.argument(name));
+    let (rates, lanes) = body.roots.split_at(n_states);
+    let [left, right] = sides(lanes);
+    let n = whole(n_states);
     let tokens = &body.tokens;
     quote! {
         #[doc = #doc]
@@ -119,16 +162,20 @@ fn next_function(context: &mut Context, expansion: &Expansion) -> TokenStream {
             #step: &#step_type,
             #newest: &[T; #n],
             #order: &[T; 3],
-            #sums: &[[T; 8]; #rows],
-        ) -> ([T; #n], [[T; 8]; #rows], [[T; 8]; #rows]) {
+            #products: &Self::Products,
+            #sums: &Self::Sums,
+        ) -> ([T; #n], [Self::Sums; 2]) {
             #tokens
-            ([#(#rates),*], #left, #right)
+            ([#(#rates),*], [#left, #right])
         }
     }
 }
 
-/// Rows of so many each.
-fn nested(components: &[TokenStream], row: usize) -> TokenStream {
-    let rows = components.chunks(row).map(|row| quote!([#(#row),*]));
-    quote!([#(#rows),*])
+/// Both halves of `lanes` in rows.
+fn sides(lanes: &[TokenStream]) -> [TokenStream; 2] {
+    let (left, right) = lanes.split_at(lanes.len() / 2);
+    [left, right].map(|side| {
+        let rows = side.chunks(Expansion::ROW).map(|row| quote!([#(#row),*]));
+        quote!([#(#rows),*])
+    })
 }

@@ -2,6 +2,8 @@
 
 use super::Builder;
 use crate::dag::Elementary;
+use crate::dag::Leaf;
+use crate::dag::Node;
 use crate::dag::NodeId;
 use crate::system::Series;
 use num_rational::BigRational;
@@ -43,7 +45,8 @@ impl Builder {
     }
 
     fn inner(&mut self, lane: usize) -> NodeId {
-        self.dag.leaf(Series::inner(self.n_states, lane))
+        let leaf = Leaf::Unknown(Series::sum(self.n_states, lane));
+        self.dag.leaf(leaf)
     }
 
     /// ⟨a, b⟩ of two series that are known apart from it.
@@ -57,6 +60,44 @@ impl Builder {
             lane
         });
         self.inner(lane)
+    }
+
+    /// Order n of a b, if neither needs a sum or product of order n itself.
+    fn whole_product(&mut self, a: [NodeId; 2], b: [NodeId; 2]) -> Option<NodeId> {
+        if self.is_late(a[1]) || self.is_late(b[1]) {
+            return None;
+        }
+        let [a, b] = if a[1] <= b[1] { [a, b] } else { [b, a] };
+        let key = [a[1], b[1]];
+        let lane = match self.whole.get(&key) {
+            // Of equal order n, but not of equal order 0.
+            Some(&lane) if self.products[lane].1 != [a[0], b[0]] => return None,
+            Some(&lane) => lane,
+            None => {
+                self.products.push((key, [a[0], b[0]]));
+                self.whole.insert(key, self.products.len() - 1);
+                self.products.len() - 1
+            }
+        };
+        let leaf = Leaf::Unknown(Series::product(self.n_states, lane));
+        Some(self.dag.leaf(leaf))
+    }
+
+    /// Whether a node needs an inner sum or a product.
+    fn is_late(&mut self, id: NodeId) -> bool {
+        let first = self.n_states + Series::GIVEN;
+        for index in self.is_late.len()..=id.index() {
+            let node = NodeId(u32::try_from(index).expect("a graph of 2^32 nodes"));
+            let is_late = match self.dag.node(node) {
+                Node::Leaf(leaf) => matches!(leaf, Leaf::Unknown(i) if *i >= first),
+                _ => {
+                    let operands = self.dag.operands(node);
+                    operands.iter().any(|operand| self.is_late[operand.index()])
+                }
+            };
+            self.is_late.push(is_late);
+        }
+        self.is_late[id.index()]
     }
 
     /// n aₙ
@@ -84,6 +125,10 @@ impl Builder {
             (Some(newest), None) => Some(self.dag.mul(newest, b.value)),
             (None, Some(newest)) => Some(self.dag.mul(a.value, newest)),
             (Some(left), Some(right)) => {
+                if let Some(whole) = self.whole_product([a.value, left], [b.value, right]) {
+                    let newest = Some(whole);
+                    return Part { value, newest };
+                }
                 let inner = self.inner_product(left, right);
                 let first = self.dag.mul(a.value, right);
                 let last = self.dag.mul(left, b.value);

@@ -5,6 +5,7 @@ mod expansion;
 pub use expansion::Expansion;
 
 use crate::compensated::compensated_sum;
+use crate::convolution::Convolved;
 use crate::description::Solver;
 use crate::error::Fault;
 use crate::integration::FlatState;
@@ -16,7 +17,6 @@ use crate::model::Series;
 use crate::report::History;
 use crate::report::Report;
 use crate::report::Statistics;
-use crate::packed::Packed;
 
 /// The highest order.
 pub const MOST_ORDER: usize = 24;
@@ -32,14 +32,14 @@ pub const USUAL_ORDER: usize = 20;
 pub type TaylorSeries<M, T = f64> = Integration<Taylor<M, T>, T>;
 
 /// The method of a [`TaylorSeries`].
-pub struct Taylor<M: Series<T>, T: Packed> {
+pub struct Taylor<M: Series<T>, T: Convolved> {
     expansion: Expansion<M, T>,
     h: T,
     /// What the sums of increments have lost to rounding, component by component.
     lost: FlatState<M, T>,
 }
 
-impl<M: Series<T>, T: Packed> TaylorSeries<M, T> {
+impl<M: Series<T>, T: Convolved> TaylorSeries<M, T> {
     /// The same run with another order, 1 to [`MOST_ORDER`].
     pub fn with_order(mut self, order: usize) -> Self {
         self.method.expansion.set_order(order);
@@ -47,7 +47,7 @@ impl<M: Series<T>, T: Packed> TaylorSeries<M, T> {
     }
 }
 
-impl<M: Series<T>, T: Packed> Method<T> for Taylor<M, T> {
+impl<M: Series<T>, T: Convolved> Method<T> for Taylor<M, T> {
     type Model = M;
 
     fn new(parameters: &M::Parameters, h: T) -> Self {
