@@ -115,16 +115,18 @@ impl<L: Copy> Lanes<L> {
         }
     }
 
-    /// Takes in aₙ and bₙ.
+    /// Takes in aₙ and bₙ. They go to memory an order later, when they are vectors: what is stored number by number
+    /// cannot be read as a whole for a while.
     #[inline(always)]
     fn push(&mut self, ends: &mut Ends<L>, n: usize, newest: [L; 2]) {
-        ends.last = newest;
+        if n > 2 {
+            self.left[n - 1] = ends.last[0];
+            self.right[n - 1 + BEFORE] = ends.last[1];
+        }
         if n == 1 {
             ends.first = newest;
-        } else {
-            self.left[n] = newest[0];
-            self.right[n + BEFORE] = newest[1];
         }
+        ends.last = newest;
     }
 
     /// Σ aⱼ bₙ₋ⱼ, 0 < j < n. What is newest comes last, so that the others need not wait for it.
