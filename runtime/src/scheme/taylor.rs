@@ -1,7 +1,12 @@
 //! Taylor series methods of any order up to 24: the recurrences are generated from the flow.
 
+mod adaptive;
 mod expansion;
+mod root;
 
+pub use adaptive::Adaptive;
+pub use adaptive::AdaptiveTaylor;
+pub use adaptive::USUAL_TOLERANCE;
 pub use expansion::Expansion;
 
 use crate::compensated::compensated_sum;
@@ -70,7 +75,13 @@ impl<M: Series<T>, T: Convolved> Method<T> for Taylor<M, T> {
         statistics.flows += 1;
         let change = self.expansion.increment();
         let (sum, lost) = compensated_sum(x, &change, &self.lost);
-        (*x, self.lost) = (require_finite(sum)?, lost);
+        match require_finite(sum) {
+            Ok(sum) => (*x, self.lost) = (sum, lost),
+            Err(fault) => {
+                self.expansion.forget();
+                return Err(fault);
+            }
+        }
         Ok(Report::converged(0))
     }
 

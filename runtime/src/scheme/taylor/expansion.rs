@@ -23,6 +23,7 @@ pub struct Expansion<M: Series<T>, T: Convolved> {
     /// 1/n
     inverse: [T; MOST_ORDER + 1],
     order: usize,
+    unit: T,
     /// Σ xₙ hⁿ, 1 < n
     rest: FlatState<M, T>,
 }
@@ -41,6 +42,7 @@ impl<M: Series<T>, T: Convolved> Expansion<M, T> {
             products: Lanes::new(products),
             inverse: core::array::from_fn(|n| one / T::constant(n.max(1) as f64)),
             order: order.clamp(1, MOST_ORDER),
+            unit: one,
             rest: state,
         }
     }
@@ -62,12 +64,50 @@ impl<M: Series<T>, T: Convolved> Expansion<M, T> {
 
     /// Expands the motion through `x` at time `t`, with `h` as the unit of time.
     pub fn expand(&mut self, t: T, x: &FlatState<M, T>, h: T) {
+        self.unit = h;
         T::convolve(Recurrences {
             expansion: self,
             t,
             x,
             h,
         });
+    }
+
+    /// Forgets all series, of which sums would keep what is not finite.
+    #[cold]
+    pub(super) fn forget(&mut self) {
+        self.sums = Lanes::new(self.sums.zeros);
+        self.products = Lanes::new(self.products.zeros);
+    }
+
+    /// The unit of time.
+    pub fn unit(&self) -> T {
+        self.unit
+    }
+
+    /// What the motion adds to the state in `theta` units of time: Σ xₙ hⁿ θⁿ, 0 < n, even and odd orders apart.
+    #[inline]
+    pub fn change(&self, theta: T) -> FlatState<M, T> {
+        let square = theta * theta;
+        let mut even = self.zeros();
+        let mut odd = even;
+        for n in (1..=self.order).rev() {
+            let sum = if n % 2 == 0 { &mut even } else { &mut odd };
+            let terms = self.coefficients[n].as_ref();
+            for (sum, x) in sum.as_mut().iter_mut().zip(terms) {
+                *sum = *sum * square + *x;
+            }
+        }
+        for (odd, even) in odd.as_mut().iter_mut().zip(even.as_ref()) {
+            *odd = theta * (*odd + theta * *even);
+        }
+        odd
+    }
+
+    fn zeros(&self) -> FlatState<M, T> {
+        let mut zeros = self.coefficients[0];
+        zeros.as_mut().fill(T::constant(0.0));
+        zeros
     }
 
     /// What the step adds to the state: Σ xₙ hⁿ, 0 < n.
@@ -166,6 +206,7 @@ impl<M: Series<T>, T: Convolved> Convolutions<T> for Recurrences<'_, M, T> {
             inverse,
             order: highest,
             rest,
+            ..
         } = expansion;
         let zero = T::constant(0.0);
         let base = M::base(scene, t, x);
