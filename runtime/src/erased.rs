@@ -6,6 +6,7 @@
 
 mod flow;
 mod model;
+mod scheme;
 mod simulate;
 mod solver;
 
@@ -13,6 +14,7 @@ pub use flow::AnyFlow;
 pub use flow::ErasedFlow;
 pub use model::AnyModel;
 pub use model::ErasedModel;
+pub use scheme::Scheme;
 pub use simulate::Observer;
 pub use simulate::Run;
 pub use simulate::Sample;

@@ -57,6 +57,7 @@ extern crate self as residua;
 #[cfg(any(test, feature = "ensemble"))]
 extern crate std;
 
+mod compensated;
 mod component;
 pub mod description;
 #[cfg(feature = "ensemble")]
@@ -68,9 +69,10 @@ mod lanes;
 mod linear;
 mod model;
 mod newton;
+mod packed;
 mod report;
-mod runge_kutta;
 mod scalar;
+mod scheme;
 mod settings;
 mod shifts;
 #[cfg(test)]
@@ -114,16 +116,25 @@ pub use model::Model;
 pub use model::Record;
 pub use model::StateArray;
 pub use model::System;
+pub use packed::Each;
+pub use packed::Pack;
+pub use packed::Packed;
+pub use packed::Plain;
+pub use packed::Work;
+pub use packed::Arithmetic;
 pub use report::History;
 pub use report::Report;
 pub use report::Statistics;
 pub use report::Success;
 #[cfg(feature = "macros")]
 pub use residua_macros::*;
-pub use runge_kutta::Explicit;
-pub use runge_kutta::RungeKutta4;
 pub use scalar::Real;
 pub use scalar::Scalar;
+pub use scheme::Collocated;
+pub use scheme::Collocation;
+pub use scheme::Explicit;
+pub use scheme::Gauss;
+pub use scheme::RungeKutta4;
 pub use settings::Settings;
 pub use settings::Strategy;
 pub use stepper::Implicit;
