@@ -146,6 +146,9 @@ impl<M: Collocated<T>, T: Packed> Core<M, T> {
         h: T,
         statistics: &mut Statistics,
     ) -> Result<Report, Fault> {
+        if self.taken == T::constant(0.0) {
+            self.begin(t, x, h, statistics);
+        }
         let enough = T::constant(LEFTOVER) * T::EPSILON;
         let weights = self.weights(x, enough);
         let floor = T::constant(ROUNDING / LEFTOVER);
@@ -197,7 +200,7 @@ impl<M: Collocated<T>, T: Packed> Core<M, T> {
         let mut all = sweeps;
         if end == End::NotFinite {
             // Stages may be beyond what vectors can compute with, where numbers are not.
-            self.forget();
+            self.begin(t, x, h, statistics);
             (end, sweeps) = self.sweep(t, x, weights, floor, true);
             all += sweeps;
         }
@@ -253,18 +256,26 @@ impl<M: Collocated<T>, T: Packed> Core<M, T> {
             self.hc = self.coefficients.c.map(|c| h * c);
             self.hb = self.coefficients.weights(h);
         }
-        let ratio = if self.taken == zero {
-            zero
-        } else {
-            h / self.taken
-        };
-        if ratio != self.ratio {
-            self.ratio = ratio;
-            self.guess = if ratio == zero {
-                [[zero; LANES]; LANES]
-            } else {
-                self.coefficients.extrapolation(ratio)
-            };
+        if self.taken != zero && h != self.ratio * self.taken {
+            self.ratio = h / self.taken;
+            self.guess = self.coefficients.extrapolation(self.ratio);
+        }
+    }
+
+    /// Starts from the rates at x.
+    pub(crate) fn begin(&mut self, t: T, x: &Flat<M, T>, h: T, statistics: &mut Statistics) {
+        self.taken = T::constant(0.0);
+        self.ratio = T::constant(0.0);
+        self.prepare(h);
+        let rates = <M as Flow<T>>::flow(&self.scene, t, x);
+        statistics.flows += 1;
+        self.guess = self.coefficients.mu;
+        self.change = rates;
+        let rows = self.known.as_mut().iter_mut().zip(self.change.as_mut());
+        for (known, change) in rows {
+            let rate = *change;
+            *known = T::Pack::pack(self.hb.map(|hb| hb * rate));
+            *change = h * rate;
         }
     }
 
@@ -273,12 +284,6 @@ impl<M: Collocated<T>, T: Packed> Core<M, T> {
     pub(crate) fn take(&mut self) {
         self.known = self.rates;
         self.taken = self.h;
-    }
-
-    /// Starts anew.
-    pub(crate) fn forget(&mut self) {
-        self.taken = T::constant(0.0);
-        self.prepare(self.h);
     }
 }
 

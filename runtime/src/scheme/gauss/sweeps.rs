@@ -17,14 +17,18 @@ const MOST_GROWTHS: u32 = 2;
 /// Sweeps before they are given up: there, Newton's method costs less.
 const MOST_SWEEPS: u32 = 40;
 
+/// Sweeps over which changes are summed up and rates are measured: where positions move momenta and these move positions,
+/// it takes two for an error to come back to where it was.
+const PAIR: u32 = 2;
+
 /// By how much the change of the last sweep may exceed what the rate foretold.
 const SURPRISE: f64 = 8.0;
 
 /// Sweeps X ← x + h A f(X), until by their rate no more than 1 is left of the error of x + h Σ bᵢ f(Xᵢ), as `weights`
 /// measure it.
 ///
-/// The change of a sweep is measured in the first two, of which the rate of contraction ϱ follows and with it the
-/// number of sweeps that the rest takes, and in the last, which must confirm it (Hairer, Lubich and Wanner, *Geometric
+/// The change is measured in the first two pairs of sweeps, of which the rate of contraction follows and with it the number
+/// of sweeps that the rest takes, and in the last pair, which must confirm it (Hairer, Lubich and Wanner, *Geometric
 /// Numerical Integration*, VIII.6, sweep until the change is rounding; what is left then has a sign, and is here made
 /// so small that it does not add up).
 pub(super) struct Sweeps<'a, M: Collocated<T>, T: Packed> {
@@ -74,7 +78,9 @@ impl<M: Collocated<T>, T: Packed> Work<T> for Sweeps<'_, M, T> {
 
         let [zero, half, one] = [0.0, 0.5, 1.0].map(T::constant);
         let (mut sweeps, mut growths) = (0, 0);
-        let (mut blind, mut is_last) = (0_u32, false);
+        // Sweeps to the next look at the changes, and those since the last that are looked at.
+        let (mut next_look, mut is_last) = (PAIR, false);
+        let mut squares = [zero; LANES];
         let mut before: Option<T> = None;
         let mut expected = zero;
         loop {
@@ -95,8 +101,7 @@ impl<M: Collocated<T>, T: Packed> Work<T> for Sweeps<'_, M, T> {
             // Numbers of a row are wanted in all lanes of a vector: loads do that in passing, shuffles would take half of the
             // time, so they had better be in memory.
             let increments = core::hint::black_box(&increments);
-            let is_measured = blind == 0;
-            let mut squares = [zero; LANES];
+            let is_measured = next_look <= PAIR;
             let rows = stages.as_mut().iter_mut().zip(increments.as_ref());
             for ((stage, increment), (x, weight)) in rows.zip(x.iter().zip(weights)) {
                 let sums = arithmetic.combine(&mu, increment.numbers());
@@ -110,8 +115,8 @@ impl<M: Collocated<T>, T: Packed> Work<T> for Sweeps<'_, M, T> {
                 *stage = T::Pack::pack(moved);
             }
             sweeps += 1;
-            if !is_measured {
-                blind -= 1;
+            next_look -= 1;
+            if next_look > 0 {
                 continue;
             }
 
@@ -119,6 +124,7 @@ impl<M: Collocated<T>, T: Packed> Work<T> for Sweeps<'_, M, T> {
             if !change.is_finite() {
                 return (End::NotFinite, sweeps);
             }
+            (squares, next_look) = ([zero; LANES], PAIR);
             let Some(former) = before.replace(change) else {
                 continue;
             };
@@ -126,32 +132,25 @@ impl<M: Collocated<T>, T: Packed> Work<T> for Sweeps<'_, M, T> {
                 // The check of what the rate has foretold.
                 is_last = change <= expected || change <= self.floor;
                 expected = zero;
-                if is_last {
-                    continue;
-                }
-                growths += 1;
-                before = None;
+                growths += u32::from(!is_last);
             } else if change < former {
                 let rate = change / former;
-                let mut left = change * rate * rate / (one - rate);
+                let mut left = change * rate / (one - rate);
                 let mut more = 0;
                 while left > one && more < MOST_SWEEPS {
                     left = left * rate;
-                    more += 1;
+                    more += PAIR;
                 }
                 let is_rounding = change <= self.floor && rate > half;
                 is_last = more == 0 || is_rounding;
-                if sweeps + more > MOST_SWEEPS && !is_rounding {
+                if sweeps + more > MOST_SWEEPS && !is_last {
                     return (End::Slow, sweeps);
                 }
-                if more > 1 && !is_rounding {
-                    blind = more - 1;
-                    expected = (0..more).fold(T::constant(SURPRISE) * change, |e, _| e * rate);
-                }
-            } else if change <= self.floor {
-                is_last = true;
+                next_look = u32::max(more, PAIR);
+                expected = (0..more / PAIR).fold(T::constant(SURPRISE) * change, |e, _| e * rate);
             } else {
-                growths += 1;
+                is_last = change <= self.floor;
+                growths += u32::from(!is_last);
             }
             if growths > MOST_GROWTHS {
                 return (End::Slow, sweeps);
