@@ -4,6 +4,7 @@ mod coefficients;
 mod extended;
 mod sweeps;
 mod tableau;
+mod variable;
 
 use crate::compensated::compensated_sums;
 use crate::description::Solver;
@@ -27,11 +28,13 @@ use crate::scalar::Scalar;
 use crate::settings::LEFTOVER;
 use crate::settings::ROUNDING;
 
-use coefficients::Coefficients;
-use coefficients::LANES;
+pub(crate) use coefficients::Coefficients;
+pub(crate) use coefficients::LANES;
 use coefficients::Row;
 use sweeps::End;
 use sweeps::Sweeps;
+
+pub use variable::VariableGauss;
 
 /// A flow that Gauss methods can evaluate at all stages at a time. Nothing implements it by hand: generated flows have
 /// it.
@@ -68,7 +71,7 @@ impl<M: Collocated<T>, const S: usize, T: Packed> Method<T> for Collocation<M, S
 
     fn new(parameters: &<M as Model<T>>::Parameters, h: T) -> Self {
         const { assert!(S >= 1 && S <= LANES, "1 to 8 stages") };
-        let core = Core::new(parameters, S);
+        let core = Core::new(parameters, Coefficients::new(S));
         Self { core, h }
     }
 
@@ -115,13 +118,13 @@ pub(crate) struct Core<M: Collocated<T>, T: Packed> {
 }
 
 impl<M: Collocated<T>, T: Packed> Core<M, T> {
-    pub(crate) fn new(parameters: &<M as Model<T>>::Parameters, stages: usize) -> Self {
+    pub(crate) fn new(parameters: &<M as Model<T>>::Parameters, coefficients: Coefficients<T>) -> Self {
         let (zero, row) = (T::constant(0.0), [T::constant(0.0); LANES]);
         let many = packed_parameters::<M, T>(parameters);
         let mut known = <M as Model<T::Pack<LANES>>>::start(&many).to_array();
         known.as_mut().fill(T::Pack::constant(0.0));
         Self {
-            coefficients: Coefficients::new(stages),
+            coefficients,
             scene: <M as Flow<T>>::flow_scene(parameters),
             packed: <M as Flow<T::Pack<LANES>>>::flow_scene(&many),
             h: zero,
@@ -137,6 +140,30 @@ impl<M: Collocated<T>, T: Packed> Core<M, T> {
         }
     }
 
+    /// There is a step to start from.
+    pub(crate) fn has_past(&self) -> bool {
+        self.taken != T::constant(0.0)
+    }
+
+    /// Starts anew.
+    pub(crate) fn forget(&mut self) {
+        self.taken = T::constant(0.0);
+    }
+
+    /// The next step starts at `from` of the last one and has `ratio` times its length.
+    fn follow(&mut self, from: T, ratio: T) {
+        self.ratio = ratio;
+        self.h = ratio * self.taken;
+        self.hc = self.coefficients.c.map(|c| self.h * c);
+        self.hb = self.coefficients.weights(self.h);
+        self.guess = self.coefficients.extrapolation(from, ratio);
+    }
+
+    /// The same again.
+    fn copy(&self) -> Self {
+        Self { ..*self }
+    }
+
     /// A step that is exact to rounding.
     #[inline]
     pub(crate) fn advance(
@@ -146,7 +173,7 @@ impl<M: Collocated<T>, T: Packed> Core<M, T> {
         h: T,
         statistics: &mut Statistics,
     ) -> Result<Report, Fault> {
-        if self.taken == T::constant(0.0) {
+        if !self.has_past() {
             self.begin(t, x, h, statistics);
         }
         let enough = T::constant(LEFTOVER) * T::EPSILON;
@@ -214,7 +241,7 @@ impl<M: Collocated<T>, T: Packed> Core<M, T> {
                 }
                 return Ok(sweeps);
             }
-            End::Slow => Failure::Diverged,
+            End::Slow => Failure::Stages,
             End::NotFinite => Failure::NotFinite,
         };
         Err(Fault {
@@ -258,7 +285,7 @@ impl<M: Collocated<T>, T: Packed> Core<M, T> {
         }
         if self.taken != zero && h != self.ratio * self.taken {
             self.ratio = h / self.taken;
-            self.guess = self.coefficients.extrapolation(self.ratio);
+            self.guess = self.coefficients.extrapolation(T::constant(1.0), self.ratio);
         }
     }
 

@@ -79,14 +79,33 @@ impl<T: Real> Coefficients<T> {
         weights
     }
 
-    /// Columns of the matrix that takes h bⱼ f(Xⱼ) of one step to Σⱼ aᵢⱼ h f of the next, of `ratio` times its length, by
-    /// the polynomial of the rates.
-    pub(crate) fn extrapolation(&self, ratio: T) -> [Row<T>; LANES] {
+    /// The trapezoidal rule as collocation at both ends, Lobatto IIIA.
+    pub(crate) fn trapezoidal() -> Self {
+        let [zero, half, one] = [0.0, 0.5, 1.0].map(T::constant);
+        let row = [zero; LANES];
+        let mut rule = Self {
+            stages: 2,
+            c: [one; LANES],
+            b: row,
+            mu: [row; LANES],
+            legendre: [row; LANES],
+        };
+        rule.c[0] = zero;
+        (rule.b[0], rule.b[1]) = (half, half);
+        (rule.mu[0][1], rule.mu[1][1]) = (one, one);
+        (rule.legendre[0][0], rule.legendre[0][1]) = (one, one);
+        (rule.legendre[1][0], rule.legendre[1][1]) = (-one, one);
+        rule
+    }
+
+    /// Columns of the matrix that takes h bⱼ f(Xⱼ) of one step to Σⱼ aᵢⱼ h f of one that starts at `from` of it and has
+    /// `ratio` times its length, by the polynomial of the rates.
+    pub(crate) fn extrapolation(&self, from: T, ratio: T) -> [Row<T>; LANES] {
         let zero = T::constant(0.0);
         let s = self.stages;
-        // h' bₖ/h Σₘ Pₘ(1 + ratio cₖ) (2m + 1) Pₘ(cⱼ)
+        // h' bₖ/h Σₘ Pₘ(from + ratio cₖ) (2m + 1) Pₘ(cⱼ)
         let mut rates = [[zero; LANES]; LANES];
-        let values = self.c.map(|c| legendre::<T>(T::constant(1.0) + ratio * c));
+        let values = self.c.map(|c| legendre::<T>(from + ratio * c));
         for k in 0..s {
             for j in 0..s {
                 let terms = (0..s).fold(zero, |sum, m| sum + values[k][m] * self.legendre[m][j]);

@@ -15,7 +15,7 @@ use crate::packed::Work;
 const MOST_GROWTHS: u32 = 2;
 
 /// Sweeps before they are given up: there, Newton's method costs less.
-const MOST_SWEEPS: u32 = 40;
+const MOST_SWEEPS: u32 = 60;
 
 /// Sweeps over which changes are summed up and rates are measured: where positions move momenta and these move positions,
 /// it takes two for an error to come back to where it was.
