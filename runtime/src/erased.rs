@@ -7,6 +7,7 @@
 mod flow;
 mod model;
 mod series;
+mod scheme;
 mod simulate;
 mod solver;
 
@@ -16,6 +17,7 @@ pub use model::AnyModel;
 pub use model::ErasedModel;
 pub use series::AnySeries;
 pub use series::ErasedSeries;
+pub use scheme::Scheme;
 pub use simulate::Observer;
 pub use simulate::Run;
 pub use simulate::Sample;

@@ -1,6 +1,6 @@
 //! The implicit stepper: one Newton solve per step.
 
-use crate::compensated::compensated_sum;
+use crate::compensated::compensated_sums;
 use crate::description;
 use crate::error::Failure;
 use crate::error::Fault;
@@ -79,7 +79,7 @@ impl<S: Correctable<T>, T: Real> Solver<S, T> {
         }
         if S::HAS_CHANGE && self.newton.settings.compensated {
             let change = S::change(scene, &step, &x);
-            let (sum, error) = compensated_sum(state, &change, lost);
+            let (sum, error) = compensated_sums(state, &change, lost);
             (*state, *lost) = (require_finite(sum)?, error);
         } else {
             *state = require_finite(S::next(scene, &step, &x))?;

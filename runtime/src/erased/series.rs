@@ -7,6 +7,8 @@ use super::simulate::Run;
 use crate::error::RunError;
 use crate::model::Series;
 use crate::report::Statistics;
+use crate::scheme::Tolerance;
+use crate::scheme::taylor::AdaptiveTaylor;
 use crate::scheme::taylor::TaylorSeries;
 
 /// A [`Series`] over flat slices.
@@ -17,6 +19,13 @@ pub trait AnySeries: Sync {
         &self,
         run: &Run,
         order: usize,
+        observer: &mut Observer,
+    ) -> Result<Statistics, RunError>;
+    /// The same by [`AdaptiveTaylor`], with steps as long as `tolerance` allows; the step of `run` is that of its outputs.
+    fn simulate_within(
+        &self,
+        run: &Run,
+        tolerance: Tolerance,
         observer: &mut Observer,
     ) -> Result<Statistics, RunError>;
 }
@@ -39,5 +48,16 @@ impl<M: Series<f64>> AnySeries for ErasedSeries<M> {
         let (parameters, start) = run.records::<M>()?;
         let integration = TaylorSeries::<M>::new(parameters, start, run.h)?.at(run.t0)?;
         run.through(integration.with_order(order), observer)
+    }
+
+    fn simulate_within(
+        &self,
+        run: &Run,
+        tolerance: Tolerance,
+        observer: &mut Observer,
+    ) -> Result<Statistics, RunError> {
+        let (parameters, start) = run.records::<M>()?;
+        let integration = AdaptiveTaylor::<M>::new(parameters, start, run.h)?.at(run.t0)?;
+        run.through(integration.with_tolerance(tolerance), observer)
     }
 }

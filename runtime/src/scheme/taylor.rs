@@ -6,10 +6,9 @@ mod root;
 
 pub use adaptive::Adaptive;
 pub use adaptive::AdaptiveTaylor;
-pub use adaptive::USUAL_TOLERANCE;
 pub use expansion::Expansion;
 
-use crate::compensated::compensated_sum;
+use crate::compensated::compensated_sums;
 use crate::convolution::Convolved;
 use crate::description::Solver;
 use crate::error::Fault;
@@ -74,7 +73,7 @@ impl<M: Series<T>, T: Convolved> Method<T> for Taylor<M, T> {
         self.expansion.expand(t, x, self.h);
         statistics.flows += 1;
         let change = self.expansion.increment();
-        let (sum, lost) = compensated_sum(x, &change, &self.lost);
+        let (sum, lost) = compensated_sums(x, &change, &self.lost);
         match require_finite(sum) {
             Ok(sum) => (*x, self.lost) = (sum, lost),
             Err(fault) => {

@@ -4,6 +4,7 @@ use super::Expansion;
 use super::MOST_ORDER;
 use super::root;
 use crate::compensated::compensated_sum;
+use crate::compensated::compensated_sums;
 use crate::convolution::Convolved;
 use crate::description::Solver;
 use crate::error::Failure;
@@ -13,15 +14,11 @@ use crate::integration::FlatState;
 use crate::integration::Integration;
 use crate::integration::Method;
 use crate::integration::require_finite;
-use crate::model::Model;
-use crate::model::Record;
 use crate::model::Series;
 use crate::report::History;
 use crate::report::Report;
 use crate::report::Statistics;
-
-/// The tolerance of a run that asks for none, absolute and relative.
-pub const USUAL_TOLERANCE: f64 = 1e-9;
+use crate::scheme::Tolerance;
 
 /// The most that a step may be longer than the one before it. Larger trusts coefficients further that rounding has reached;
 /// smaller takes more steps to find the first length.
@@ -44,8 +41,7 @@ pub struct Adaptive<M: Series<T>, T: Convolved> {
     expansion: Expansion<M, T>,
     /// The interval of the output.
     h: T,
-    absolute: T,
-    relative: T,
+    tolerance: Tolerance<T>,
     piece: Option<Piece<FlatState<M, T>, T>>,
 }
 
@@ -53,6 +49,8 @@ pub struct Adaptive<M: Series<T>, T: Convolved> {
 #[derive(Clone, Copy)]
 struct Piece<X, T> {
     start: T,
+    /// What rounding has taken from `start`.
+    rest: T,
     length: T,
     /// What the sums of steps have lost of the state at `start` to rounding.
     lost: X,
@@ -62,10 +60,10 @@ struct Piece<X, T> {
 
 impl<M: Series<T>, T: Convolved> AdaptiveTaylor<M, T> {
     /// The same run with other tolerances and the order that is least work for them.
-    pub fn with_tolerance(mut self, absolute: T, relative: T) -> Self {
+    pub fn with_tolerance(mut self, tolerance: Tolerance<T>) -> Self {
         let method = &mut self.method;
-        (method.absolute, method.relative) = (absolute, relative);
-        method.expansion.set_order(order_for(relative.to_f64()));
+        method.tolerance = tolerance;
+        method.expansion.set_order(order_for(&tolerance));
         method.piece = None;
         self
     }
@@ -79,8 +77,9 @@ impl<M: Series<T>, T: Convolved> AdaptiveTaylor<M, T> {
 }
 
 /// ⌈−¾ ln ε⌉ + 1
-fn order_for(tolerance: f64) -> usize {
-    let ln = root::log2(tolerance.max(f64::MIN_POSITIVE)) * core::f64::consts::LN_2;
+fn order_for<T: Convolved>(tolerance: &Tolerance<T>) -> usize {
+    let relative = tolerance.relative.to_f64();
+    let ln = root::log2(relative.max(f64::MIN_POSITIVE)) * core::f64::consts::LN_2;
     let order = -0.75 * ln + 1.0;
     // Towards zero, and 2 for NaN.
     (order as usize + 1).clamp(2, MOST_ORDER)
@@ -90,12 +89,11 @@ impl<M: Series<T>, T: Convolved> Method<T> for Adaptive<M, T> {
     type Model = M;
 
     fn new(parameters: &M::Parameters, h: T) -> Self {
-        let tolerance = T::constant(USUAL_TOLERANCE);
+        let tolerance = Tolerance::default();
         Self {
-            expansion: Expansion::new(parameters, order_for(USUAL_TOLERANCE)),
+            expansion: Expansion::new(parameters, order_for(&tolerance)),
             h,
-            absolute: tolerance,
-            relative: tolerance,
+            tolerance,
             piece: None,
         }
     }
@@ -111,13 +109,13 @@ impl<M: Series<T>, T: Convolved> Method<T> for Adaptive<M, T> {
             Some(_) | None => self.begin(t, x, statistics)?,
         };
         let end = t + self.h;
-        while is_beyond(end - piece.start, piece.length) {
+        while is_beyond(piece.until(end), piece.length) {
             piece = self.proceed(&piece, statistics)?;
         }
-        let theta = (end - piece.start) / self.expansion.unit();
+        let theta = piece.until(end) / self.expansion.unit();
         let change = self.expansion.change(theta);
         let start = self.expansion.coefficients()[0];
-        let (sum, _) = compensated_sum(&start, &change, &piece.lost);
+        let (sum, _) = compensated_sums(&start, &change, &piece.lost);
         *x = require_finite(sum)?;
         piece.given = *x;
         self.piece = Some(piece);
@@ -130,6 +128,13 @@ impl<M: Series<T>, T: Convolved> Method<T> for Adaptive<M, T> {
 
     fn solver() -> Option<&'static Solver> {
         None
+    }
+}
+
+impl<X, T: Convolved> Piece<X, T> {
+    /// The time to `t`.
+    fn until(&self, t: T) -> T {
+        t - self.start - self.rest
     }
 }
 
@@ -166,7 +171,7 @@ impl<M: Series<T>, T: Convolved> Adaptive<M, T> {
         // Once more in units of its length: far from it, the estimate is rough.
         self.expansion.expand(t, x, length);
         statistics.flows += 1;
-        self.piece_at(t, *x, lost)
+        self.piece_at((t, T::constant(0.0)), *x, lost)
     }
 
     /// The series at the end of `piece`.
@@ -179,24 +184,25 @@ impl<M: Series<T>, T: Convolved> Adaptive<M, T> {
         let theta = piece.length / self.expansion.unit();
         let change = self.expansion.change(theta);
         let start = self.expansion.coefficients()[0];
-        let (sum, lost) = compensated_sum(&start, &change, &piece.lost);
+        let (sum, lost) = compensated_sums(&start, &change, &piece.lost);
         let x = require_finite(sum)?;
-        let t = piece.start + piece.length;
+        let (t, rest) = compensated_sum(piece.start, piece.length + piece.rest);
         self.expansion.expand(t, &x, piece.length);
         statistics.flows += 1;
         statistics.accepted += 1;
-        self.piece_at(t, piece.given, lost)
+        self.piece_at((t, rest), piece.given, lost)
     }
 
     fn piece_at(
         &self,
-        start: T,
+        (start, rest): (T, T),
         given: FlatState<M, T>,
         lost: FlatState<M, T>,
     ) -> Result<Piece<FlatState<M, T>, T>, Fault> {
         let length = self.length(start)?;
         Ok(Piece {
             start,
+            rest,
             length,
             lost,
             given,
@@ -228,7 +234,7 @@ impl<M: Series<T>, T: Convolved> Adaptive<M, T> {
         let pairs = coefficients[n].as_ref().iter().zip(coefficients[0].as_ref());
         let mut largest = 0.0;
         for (term, x) in pairs {
-            let tolerance = self.absolute + self.relative * x.abs();
+            let tolerance = self.tolerance.of(*x, *x);
             let size = (term.abs() / tolerance).to_f64();
             // NaN stays.
             largest = if size <= largest { largest } else { size };
