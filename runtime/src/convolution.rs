@@ -42,8 +42,8 @@ pub trait Convolve<T>: Copy {
 }
 
 /// One number after the other, products rounded.
-#[derive(Clone, Copy)]
-struct Each;
+#[derive(Clone, Copy, Debug)]
+pub struct Each;
 
 impl<T: Scalar> Convolve<T> for Each {
     #[inline(always)]
@@ -95,10 +95,7 @@ impl<S: Simd> Convolve<f64> for Vectors<S> {
                     j += APART;
                 }
                 let [first, second, third, fourth] = apart;
-                let halves = [
-                    simd.add_f64s(first, second),
-                    simd.add_f64s(third, fourth),
-                ];
+                let halves = [simd.add_f64s(first, second), simd.add_f64s(third, fourth)];
                 *part = simd.add_f64s(halves[0], halves[1]);
             }
         }

@@ -266,7 +266,9 @@ impl<V: Variable<T>, T: Real> Controlled<V, T> {
             if end == t {
                 break;
             }
-            let tried = self.scheme.attempt(t, &self.end, h, &self.tolerance, statistics);
+            let tried = self
+                .scheme
+                .attempt(t, &self.end, h, &self.tolerance, statistics);
             match tried {
                 Ok(attempt) if attempt.error <= one => {
                     iterations += attempt.iterations;
@@ -281,7 +283,11 @@ impl<V: Variable<T>, T: Real> Controlled<V, T> {
                     let factor = T::constant(SAFETY) * (one / attempt.error).powf(one / p);
                     // NaN, too.
                     let is_sound = factor > T::constant(LEAST_FACTOR);
-                    self.step = h * if is_sound { factor } else { T::constant(LEAST_FACTOR) };
+                    self.step = h * if is_sound {
+                        factor
+                    } else {
+                        T::constant(LEAST_FACTOR)
+                    };
                     last = Some(None);
                 }
                 Err(fault) => {
@@ -302,13 +308,22 @@ impl<V: Variable<T>, T: Real> Controlled<V, T> {
     /// By what the step changes after one with that error.
     fn factor(&mut self, error: T, p: T, was_rejected: bool) -> T {
         let one = T::constant(1.0);
-        let error = if error > T::constant(LEAST_ERROR) { error } else { T::constant(LEAST_ERROR) };
+        let error = if error > T::constant(LEAST_ERROR) {
+            error
+        } else {
+            T::constant(LEAST_ERROR)
+        };
         let before = core::mem::replace(&mut self.error, error);
-        if V::PREFERS_EQUAL_STEPS && !was_rejected && error > T::constant(0.02) && error < T::constant(0.5) {
+        if V::PREFERS_EQUAL_STEPS
+            && !was_rejected
+            && error > T::constant(0.02)
+            && error < T::constant(0.5)
+        {
             return one;
         }
         let power = |x: T, exponent: f64| x.powf(T::constant(exponent) / p);
-        let factor = T::constant(SAFETY) * power(one / error, INTEGRAL) * power(before, PROPORTIONAL);
+        let factor =
+            T::constant(SAFETY) * power(one / error, INTEGRAL) * power(before, PROPORTIONAL);
         let most = T::constant(if was_rejected { 1.0 } else { MOST_FACTOR });
         let factor = if factor > most { most } else { factor };
         let least = T::constant(LEAST_FACTOR);

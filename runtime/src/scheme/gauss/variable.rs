@@ -89,7 +89,9 @@ impl<M: Collocated<T>, const S: usize, T: Packed> Variable<T> for VariableGauss<
         if !self.core.has_past() {
             self.core.begin(t, x, h, statistics);
         }
-        let sweeps = self.core.solve(t, x, h, &self.weights, self.floor, statistics)?;
+        let sweeps = self
+            .core
+            .solve(t, x, h, &self.weights, self.floor, statistics)?;
         require_finite(self.core.change)?;
 
         let legendre = &self.core.coefficients.legendre;
@@ -103,7 +105,11 @@ impl<M: Collocated<T>, const S: usize, T: Packed> Variable<T> for VariableGauss<
             low = larger(low, larger(size(0), size(1)));
             high = larger(high, size(S - 1));
         }
-        let error = if low > zero { share * high * high / low } else { zero };
+        let error = if low > zero {
+            share * high * high / low
+        } else {
+            zero
+        };
         Ok(Attempt {
             error,
             iterations: sweeps as usize,
@@ -140,7 +146,14 @@ impl<M: Collocated<T>, const S: usize, T: Packed> Variable<T> for VariableGauss<
         core.follow(zero, theta);
         let mut unused = Statistics::default();
         let h = theta * step.h;
-        let solved = core.solve(step.t, &step.start, h, &step.weights, self.floor, &mut unused);
+        let solved = core.solve(
+            step.t,
+            &step.start,
+            h,
+            &step.weights,
+            self.floor,
+            &mut unused,
+        );
         if solved.is_ok() {
             return compensated_sums(&step.start, &core.change, &step.lost).0;
         }

@@ -224,7 +224,11 @@ impl<M: Series<T>, T: Convolved> Adaptive<M, T> {
         let before = root::root(self.size(p - 1), p - 1);
         let theta = last.min(before).min(GROWTH);
         let next = unit * T::constant(theta * SAFETY);
-        let length = if theta < 1.0 { unit * T::constant(theta) } else { unit };
+        let length = if theta < 1.0 {
+            unit * T::constant(theta)
+        } else {
+            unit
+        };
         let is_sound = !last.is_nan() && !before.is_nan();
         if is_sound && length.is_finite() && t + length != t && t + next != t {
             return Ok((length, next));
@@ -240,7 +244,10 @@ impl<M: Series<T>, T: Convolved> Adaptive<M, T> {
     #[inline]
     fn size(&self, n: usize) -> f64 {
         let coefficients = self.expansion.coefficients();
-        let pairs = coefficients[n].as_ref().iter().zip(coefficients[0].as_ref());
+        let pairs = coefficients[n]
+            .as_ref()
+            .iter()
+            .zip(coefficients[0].as_ref());
         let mut largest = 0.0;
         for (term, x) in pairs {
             let tolerance = self.tolerance.of(*x, *x);
