@@ -14,6 +14,7 @@ pub use flow::AnyFlow;
 pub use flow::ErasedFlow;
 pub use model::AnyModel;
 pub use model::ErasedModel;
+pub use scheme::Embedded;
 pub use scheme::Scheme;
 pub use simulate::Observer;
 pub use simulate::Run;
