@@ -66,6 +66,14 @@ pub struct Collocation<M: Collocated<T>, const S: usize, T: Packed> {
     h: T,
 }
 
+impl<M: Collocated<T>, T: Packed> Gauss<M, LANES, T> {
+    /// The same run with so many stages: one compiled function for all.
+    pub(crate) fn with_stages(mut self, stages: usize) -> Self {
+        self.method.core.coefficients = Coefficients::new(stages);
+        self
+    }
+}
+
 impl<M: Collocated<T>, const S: usize, T: Packed> Method<T> for Collocation<M, S, T> {
     type Model = M;
 
@@ -170,7 +178,6 @@ impl<M: Collocated<T>, T: Packed> Core<M, T> {
     }
 
     /// A step that is exact to rounding.
-    #[inline]
     pub(crate) fn advance(
         &mut self,
         t: T,
@@ -217,7 +224,6 @@ impl<M: Collocated<T>, T: Packed> Core<M, T> {
     }
 
     /// Solves the stage equations; the step is taken by [`Core::take`].
-    #[inline]
     pub(crate) fn solve(
         &mut self,
         t: T,
@@ -301,7 +307,7 @@ impl<M: Collocated<T>, T: Packed> Core<M, T> {
         self.taken = T::constant(0.0);
         self.ratio = T::constant(0.0);
         self.prepare(h);
-        let rates = <M as Flow<T>>::flow(&self.scene, t, x);
+        let rates = crate::scheme::rates::<M, T>(&self.scene, t, x);
         statistics.flows += 1;
         self.guess = self.coefficients.mu;
         self.change = rates;
