@@ -107,7 +107,9 @@ impl<M: Collocated<T>, const S: usize, T: Packed> Variable<T> for VariableGauss<
 
         let sizes = &self.core.spectrum;
         let low = larger(sizes[0], sizes[1]).sqrt();
-        let error = if low > zero { share * sizes[self.core.coefficients.stages - 1] / low } else { zero };
+        // Where the linearised flow is stiff, its coefficients do not decay, and only γ does.
+        let size = sizes[self.core.coefficients.stages - 1].sqrt();
+        let error = if self.core.is_stiff() { share * size } else if low > zero { share * sizes[self.core.coefficients.stages - 1] / low } else { zero };
         Ok(Attempt {
             error,
             iterations: sweeps as usize,
