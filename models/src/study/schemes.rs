@@ -10,8 +10,8 @@ use super::signals::Signals;
 use super::trial::Trial;
 use super::trial::Watched;
 use residua::erased::AnyFlow;
-use residua::erased::Scheme;
 use residua::erased::Sample;
+use residua::erased::Scheme;
 use std::ops::ControlFlow;
 
 /// Half the length of the piece of the exact motion that phase is looked for on, s.

@@ -10,8 +10,8 @@ use crate::scheme::Adaptive;
 use crate::scheme::Collocated;
 use crate::scheme::Collocation;
 use crate::scheme::Composed;
-use crate::scheme::Ends;
 use crate::scheme::DormandPrince5;
+use crate::scheme::Ends;
 use crate::scheme::Explicit;
 use crate::scheme::Gauss;
 use crate::scheme::Tolerance;
@@ -70,13 +70,16 @@ const NAMES: [(&str, Scheme); 14] = [
     ("composition4", Scheme::Composition { order: 4 }),
     ("composition6", Scheme::Composition { order: 6 }),
     ("composition8", Scheme::Composition { order: 8 }),
-    (DORMAND_PRINCE, Scheme::Adaptive {
-        pair: Embedded::DormandPrince5,
-        tolerance: Tolerance {
-            absolute: 1e-9,
-            relative: 1e-9,
+    (
+        DORMAND_PRINCE,
+        Scheme::Adaptive {
+            pair: Embedded::DormandPrince5,
+            tolerance: Tolerance {
+                absolute: 1e-9,
+                relative: 1e-9,
+            },
         },
-    }),
+    ),
 ];
 
 const DORMAND_PRINCE: &str = "dopri5";
@@ -185,7 +188,8 @@ impl Embedded {
             Self::Gauss { stages } => {
                 let (parameters, start) = run.records::<M>()?;
                 let integration =
-                    Adaptive::<VariableGauss<M, 8, f64>>::new(parameters, start, run.h)?.at(run.t0)?;
+                    Adaptive::<VariableGauss<M, 8, f64>>::new(parameters, start, run.h)?
+                        .at(run.t0)?;
                 let integration = integration.with_stages(stages).with_tolerance(tolerance);
                 run.through(integration, observer)
             }

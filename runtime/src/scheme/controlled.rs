@@ -1,5 +1,6 @@
 //! Steps as long as a tolerance allows.
 
+use super::rates;
 use crate::compensated::compensated_sum;
 use crate::description::Solver;
 use crate::error::Failure;
@@ -13,7 +14,6 @@ use crate::model::Model;
 use crate::report::History;
 use crate::report::Report;
 use crate::report::Statistics;
-use super::rates;
 use crate::scalar::Real;
 
 /// What the error of a step may be: |eᵢ| ≤ absolute + relative · max(|xᵢ|, |xᵢ'|) for every component i.
@@ -287,7 +287,9 @@ impl<V: Variable<T>, T: Real> Controlled<V, T> {
             if end == t {
                 break;
             }
-            let tried = self.scheme.attempt(t, &self.end, h, &self.tolerance, statistics);
+            let tried = self
+                .scheme
+                .attempt(t, &self.end, h, &self.tolerance, statistics);
             match tried {
                 Ok(attempt) if attempt.error <= one => {
                     iterations += attempt.iterations;
@@ -302,7 +304,11 @@ impl<V: Variable<T>, T: Real> Controlled<V, T> {
                     let factor = T::constant(SAFETY) * (one / attempt.error).powf(one / p);
                     // NaN, too.
                     let is_sound = factor > T::constant(LEAST_FACTOR);
-                    self.step = h * if is_sound { factor } else { T::constant(LEAST_FACTOR) };
+                    self.step = h * if is_sound {
+                        factor
+                    } else {
+                        T::constant(LEAST_FACTOR)
+                    };
                     last = Some(None);
                 }
                 Err(fault) => {
@@ -330,11 +336,17 @@ impl<V: Variable<T>, T: Real> Controlled<V, T> {
         };
         let error = bounded(error, LEAST_ERROR, 1.0);
         let before = core::mem::replace(&mut self.error, error);
-        if V::PREFERS_EQUAL_STEPS && !was_rejected && error < self.steady.1 && error > self.steady.0 {
+        if V::PREFERS_EQUAL_STEPS && !was_rejected && error < self.steady.1 && error > self.steady.0
+        {
             return one;
         }
         let power = |x: T, exponent: f64| x.powf(T::constant(exponent) / p);
-        let factor = T::constant(SAFETY) * power(one / error, INTEGRAL) * power(before, PROPORTIONAL);
-        bounded(factor, LEAST_FACTOR, if was_rejected { 1.0 } else { MOST_FACTOR })
+        let factor =
+            T::constant(SAFETY) * power(one / error, INTEGRAL) * power(before, PROPORTIONAL);
+        bounded(
+            factor,
+            LEAST_FACTOR,
+            if was_rejected { 1.0 } else { MOST_FACTOR },
+        )
     }
 }

@@ -141,7 +141,10 @@ pub(crate) struct Core<M: Collocated<T>, T: Packed> {
 }
 
 impl<M: Collocated<T>, T: Packed> Core<M, T> {
-    pub(crate) fn new(parameters: &<M as Model<T>>::Parameters, coefficients: Coefficients<T>) -> Self {
+    pub(crate) fn new(
+        parameters: &<M as Model<T>>::Parameters,
+        coefficients: Coefficients<T>,
+    ) -> Self {
         let (zero, row) = (T::constant(0.0), [T::constant(0.0); LANES]);
         let many = packed_parameters::<M, T>(parameters);
         let mut known = <M as Model<T::Pack<LANES>>>::start(&many).to_array();
@@ -370,7 +373,9 @@ impl<M: Collocated<T>, T: Packed> Core<M, T> {
         }
         if self.taken != zero && h != self.ratio * self.taken {
             self.ratio = h / self.taken;
-            self.guess = self.coefficients.extrapolation(T::constant(1.0), self.ratio);
+            self.guess = self
+                .coefficients
+                .extrapolation(T::constant(1.0), self.ratio);
         }
     }
 

@@ -151,7 +151,8 @@ impl<M: Collocated<T>, T: Packed> Corrections<'_, M, T> {
                     let terms = self.mu.iter().zip(increments);
                     let sum = terms.fold(zero, |sum, (mu, l)| sum + mu[i] * *l);
                     let stage = x.as_ref()[c].numbers()[i];
-                    let driven = (0..n).fold(zero, |sum, k| sum + self.entry(c, k) * moved.as_ref()[k]);
+                    let driven =
+                        (0..n).fold(zero, |sum, k| sum + self.entry(c, k) * moved.as_ref()[k]);
                     right.as_mut()[c] = ((self.x.as_ref()[c] - stage) + sum) + driven;
                 }
                 let Some(correction) = self.solve(lower[i][i], right) else {
@@ -215,7 +216,11 @@ impl<M: Collocated<T>, T: Packed> Corrections<'_, M, T> {
             for i in j + 1..s {
                 let known = (0..j).fold(zero, |sum, k| sum + lower[j][k] * upper[k][i]);
                 let rest = a(j, i) - known;
-                upper[j][i] = if lower[j][j].abs() > zero { rest / lower[j][j] } else { zero };
+                upper[j][i] = if lower[j][j].abs() > zero {
+                    rest / lower[j][j]
+                } else {
+                    zero
+                };
             }
         }
         lower
@@ -238,7 +243,13 @@ impl<M: Collocated<T>, T: Packed> Corrections<'_, M, T> {
         }
         let b = right.as_mut();
         for k in 0..n {
-            let larger = |best: usize, i: usize| if a[i][k].abs() > a[best][k].abs() { i } else { best };
+            let larger = |best: usize, i: usize| {
+                if a[i][k].abs() > a[best][k].abs() {
+                    i
+                } else {
+                    best
+                }
+            };
             let pivot = (k + 1..n).fold(k, larger);
             if a[pivot][k] == zero {
                 return None;

@@ -102,14 +102,22 @@ impl<M: Collocated<T>, const S: usize, T: Packed> Variable<T> for VariableGauss<
         if !self.core.has_past() {
             self.core.begin(t, x, h, statistics);
         }
-        let sweeps = self.core.solve(t, x, h, &self.weights, self.floor, statistics)?;
+        let sweeps = self
+            .core
+            .solve(t, x, h, &self.weights, self.floor, statistics)?;
         require_finite(self.core.change)?;
 
         let sizes = &self.core.spectrum;
         let low = larger(sizes[0], sizes[1]).sqrt();
         // Where the linearised flow is stiff, its coefficients do not decay, and only γ does.
         let size = sizes[self.core.coefficients.stages - 1].sqrt();
-        let error = if self.core.is_stiff() { share * size } else if low > zero { share * sizes[self.core.coefficients.stages - 1] / low } else { zero };
+        let error = if self.core.is_stiff() {
+            share * size
+        } else if low > zero {
+            share * sizes[self.core.coefficients.stages - 1] / low
+        } else {
+            zero
+        };
         Ok(Attempt {
             error,
             iterations: sweeps as usize,
@@ -146,7 +154,14 @@ impl<M: Collocated<T>, const S: usize, T: Packed> Variable<T> for VariableGauss<
         core.follow(zero, theta);
         let mut unused = Statistics::default();
         let h = theta * step.h;
-        let solved = core.solve(step.t, &step.start, h, &step.weights, self.floor, &mut unused);
+        let solved = core.solve(
+            step.t,
+            &step.start,
+            h,
+            &step.weights,
+            self.floor,
+            &mut unused,
+        );
         if solved.is_ok() {
             return compensated_sums(&step.start, &core.change, &step.lost).0;
         }
