@@ -15,6 +15,7 @@ pub use flow::AnyFlow;
 pub use flow::ErasedFlow;
 pub use model::AnyModel;
 pub use model::ErasedModel;
+pub use scheme::Embedded;
 pub use scheme::Scheme;
 pub use series::AnySeries;
 pub use series::ErasedSeries;

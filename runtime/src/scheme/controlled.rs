@@ -1,5 +1,6 @@
 //! Steps as long as a tolerance allows.
 
+use super::rates;
 use crate::compensated::compensated_sum;
 use crate::description::Solver;
 use crate::error::Failure;
@@ -104,6 +105,8 @@ pub struct Controlled<V: Variable<T>, T: Real> {
     scheme: V,
     scene: <V::Model as Flow<T>>::FlowScene,
     tolerance: Tolerance<T>,
+    /// Errors between these leave the step as it is.
+    steady: (T, T),
     /// Of the outputs.
     h: T,
     /// The next step; 0 before the first.
@@ -127,10 +130,13 @@ const PROPORTIONAL: f64 = 0.4;
 /// Least and largest factor of the step.
 const LEAST_FACTOR: f64 = 0.2;
 const MOST_FACTOR: f64 = 5.0;
-/// Up to this factor a step keeps its length where equal steps cost less (Hairer and Wanner II, IV.8).
-const STEADY: f64 = 1.2;
-/// Error at which the history of the controller starts, that it does not count a lucky step.
-const LEAST_ERROR: f64 = 1e-4;
+/// A step that could grow by up to this factor, or should shrink by up to that one, keeps its length where equal steps cost
+/// less (Hairer and Wanner II, IV.8).
+const STEADY: (f64, f64) = (1.2, 0.96);
+/// Error below which one is as good as another.
+const LEAST_ERROR: f64 = 1e-30;
+/// Error that the controller takes for the one before the first.
+const FIRST_ERROR: f64 = 1e-4;
 /// Rejected steps in a row before the run is given up.
 const MOST_REJECTED: u32 = 60;
 
@@ -147,8 +153,10 @@ impl<V: Variable<T>, T: Real> Method<T> for Controlled<V, T> {
 
     fn new(parameters: &<V::Model as Model<T>>::Parameters, h: T) -> Self {
         let zero = T::constant(0.0);
+        let scheme = V::new(parameters);
         Self {
-            scheme: V::new(parameters),
+            steady: steady(&scheme),
+            scheme,
             scene: V::Model::flow_scene(parameters),
             tolerance: Tolerance::default(),
             h,
@@ -203,13 +211,26 @@ impl<V: Variable<T>, T: Real> Method<T> for Controlled<V, T> {
     }
 }
 
+/// The errors that lead to the factors of steady steps, at rest.
+fn steady<V: Variable<T>, T: Real>(scheme: &V) -> (T, T) {
+    let p = T::constant(scheme.order() as f64);
+    let leading_to = |factor: f64| T::constant(SAFETY / factor).powf(p);
+    (leading_to(STEADY.0), leading_to(STEADY.1))
+}
+
 impl<V: Variable<T>, T: Real> Controlled<V, T> {
+    /// Makes another scheme of it, before the first step.
+    pub(crate) fn change(&mut self, change: impl FnOnce(&mut V)) {
+        change(&mut self.scheme);
+        self.steady = steady(&self.scheme);
+    }
+
     /// Starts at (t, x).
     fn begin(&mut self, t: T, x: &FlatState<V::Model, T>, statistics: &mut Statistics) {
         self.scheme.restart();
         self.to = (t, T::constant(0.0));
         self.end = *x;
-        self.error = T::constant(LEAST_ERROR);
+        self.error = T::constant(FIRST_ERROR);
         self.step = self.first_step(t, x);
         statistics.flows += 2;
     }
@@ -225,7 +246,7 @@ impl<V: Variable<T>, T: Real> Controlled<V, T> {
                 if size > norm { size } else { norm }
             })
         };
-        let rate = V::Model::flow(&self.scene, t, x);
+        let rate = rates::<V::Model, T>(&self.scene, t, x);
         let (d0, d1) = (norm(x), norm(&rate));
         let most = self.h.abs() * T::constant(1e3);
         let least = |a: T, b: T| if a < b { a } else { b };
@@ -239,7 +260,7 @@ impl<V: Variable<T>, T: Real> Controlled<V, T> {
         for (x, rate) in moved.as_mut().iter_mut().zip(rate.as_ref()) {
             *x = *x + forward(h0) * *rate;
         }
-        let mut bend = V::Model::flow(&self.scene, t + forward(h0), &moved);
+        let mut bend = rates::<V::Model, T>(&self.scene, t + forward(h0), &moved);
         for (bend, rate) in bend.as_mut().iter_mut().zip(rate.as_ref()) {
             *bend = *bend - *rate;
         }
@@ -308,28 +329,24 @@ impl<V: Variable<T>, T: Real> Controlled<V, T> {
     /// By what the step changes after one with that error.
     fn factor(&mut self, error: T, p: T, was_rejected: bool) -> T {
         let one = T::constant(1.0);
-        let error = if error > T::constant(LEAST_ERROR) {
-            error
-        } else {
-            T::constant(LEAST_ERROR)
+        let bounded = |x: T, least: f64, most: f64| {
+            let (least, most) = (T::constant(least), T::constant(most));
+            let x = if x > least { x } else { least };
+            if x > most { most } else { x }
         };
+        let error = bounded(error, LEAST_ERROR, 1.0);
         let before = core::mem::replace(&mut self.error, error);
-        if V::PREFERS_EQUAL_STEPS
-            && !was_rejected
-            && error > T::constant(0.02)
-            && error < T::constant(0.5)
+        if V::PREFERS_EQUAL_STEPS && !was_rejected && error < self.steady.1 && error > self.steady.0
         {
             return one;
         }
         let power = |x: T, exponent: f64| x.powf(T::constant(exponent) / p);
         let factor =
             T::constant(SAFETY) * power(one / error, INTEGRAL) * power(before, PROPORTIONAL);
-        let most = T::constant(if was_rejected { 1.0 } else { MOST_FACTOR });
-        let factor = if factor > most { most } else { factor };
-        let least = T::constant(LEAST_FACTOR);
-        if V::PREFERS_EQUAL_STEPS && factor >= one && factor <= T::constant(STEADY) {
-            return one;
-        }
-        if factor > least { factor } else { least }
+        bounded(
+            factor,
+            LEAST_FACTOR,
+            if was_rejected { 1.0 } else { MOST_FACTOR },
+        )
     }
 }

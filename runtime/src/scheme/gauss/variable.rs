@@ -15,6 +15,7 @@ use crate::model::Model;
 use crate::packed::Pack;
 use crate::packed::Packed;
 use crate::report::Statistics;
+use crate::scheme::Adaptive;
 use crate::scheme::Attempt;
 use crate::scheme::Tolerance;
 use crate::scheme::Variable;
@@ -48,6 +49,16 @@ struct Accepted<M: Collocated<T>, T: Packed> {
 /// Share of the tolerance that the sweeps may leave. Larger saves a sweep at times, and disturbs the estimate.
 const SWEEPS_SHARE: f64 = 0.1;
 
+impl<M: Collocated<T>, T: Packed> Adaptive<VariableGauss<M, LANES, T>, T> {
+    /// The same run with so many stages, 3 to 8: one compiled function for all.
+    pub(crate) fn with_stages(mut self, stages: usize) -> Self {
+        self.method.change(|scheme| {
+            scheme.core.coefficients = Coefficients::new(usize::max(stages, 3));
+        });
+        self
+    }
+}
+
 impl<M: Collocated<T>, const S: usize, T: Packed> Variable<T> for VariableGauss<M, S, T> {
     type Model = M;
     const PREFERS_EQUAL_STEPS: bool = true;
@@ -55,8 +66,10 @@ impl<M: Collocated<T>, const S: usize, T: Packed> Variable<T> for VariableGauss<
     fn new(parameters: &<M as Model<T>>::Parameters) -> Self {
         const { assert!(S >= 3 && S <= LANES, "3 to 8 stages") };
         let zero = T::constant(0.0);
+        let mut core = Core::new(parameters, Coefficients::new(S));
+        core.wants_spectrum = true;
         Self {
-            core: Core::new(parameters, Coefficients::new(S)),
+            core,
             t: zero,
             start: zeros::<M, T>(),
             weights: zeros::<M, T>(),
@@ -66,7 +79,7 @@ impl<M: Collocated<T>, const S: usize, T: Packed> Variable<T> for VariableGauss<
     }
 
     fn order(&self) -> usize {
-        2 * S - 1
+        2 * self.core.coefficients.stages - 1
     }
 
     fn attempt(
@@ -94,19 +107,14 @@ impl<M: Collocated<T>, const S: usize, T: Packed> Variable<T> for VariableGauss<
             .solve(t, x, h, &self.weights, self.floor, statistics)?;
         require_finite(self.core.change)?;
 
-        let legendre = &self.core.coefficients.legendre;
-        let (mut low, mut high) = (zero, zero);
-        let rows = self.core.rates.as_ref().iter().zip(self.weights.as_ref());
-        for (row, weight) in rows {
-            let size = |k: usize| {
-                let terms = legendre[k].iter().zip(row.numbers());
-                terms.fold(zero, |sum, (p, l)| sum + *p * *l).abs() * *weight
-            };
-            low = larger(low, larger(size(0), size(1)));
-            high = larger(high, size(S - 1));
-        }
-        let error = if low > zero {
-            share * high * high / low
+        let sizes = &self.core.spectrum;
+        let low = larger(sizes[0], sizes[1]).sqrt();
+        // Where the linearised flow is stiff, its coefficients do not decay, and only γ does.
+        let size = sizes[self.core.coefficients.stages - 1].sqrt();
+        let error = if self.core.is_stiff() {
+            share * size
+        } else if low > zero {
+            share * sizes[self.core.coefficients.stages - 1] / low
         } else {
             zero
         };
@@ -161,9 +169,9 @@ impl<M: Collocated<T>, const S: usize, T: Packed> Variable<T> for VariableGauss<
         let p = legendre(theta);
         let mut x = step.start;
         for (x, row) in x.as_mut().iter_mut().zip(self.core.known.as_ref()) {
-            for k in 0..S.min(LANES - 1) {
-                let terms = self.core.coefficients.legendre[k].iter().zip(row.numbers());
-                let coefficient = terms.fold(zero, |sum, (p, l)| sum + *p * *l);
+            for k in 0..self.core.coefficients.stages.min(LANES - 1) {
+                let terms = self.core.coefficients.legendre.iter().zip(row.numbers());
+                let coefficient = terms.fold(zero, |sum, (p, l)| sum + p[k] * *l);
                 let below = if k == 0 { -one } else { p[k - 1] };
                 let integral = (p[k + 1] - below) / T::constant((4 * k + 2) as f64);
                 *x = *x + integral * coefficient;
