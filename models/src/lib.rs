@@ -21,7 +21,9 @@ pub mod errata;
 pub mod exact;
 pub mod notation;
 pub mod plot;
+pub mod replay;
 pub mod report;
+pub mod stress;
 pub mod study;
 pub mod values;
 

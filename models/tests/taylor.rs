@@ -1,9 +1,11 @@
 //! Taylor series: coefficients, orders, tolerances, and what has none.
 
-use residua::Flow;
-use residua::Model as _;
+#[path = "support/body.rs"]
+mod body;
+
+use body::asymmetric;
+use body::distance;
 use residua::Record;
-use residua::Scalar;
 use residua::Series;
 use residua::Settings;
 use residua::Tolerance;
@@ -17,6 +19,7 @@ use residua_models::CATALOGUE;
 use residua_models::dsl;
 use residua_models::exact::Double;
 use residua_models::exact::reference;
+use residua_models::values;
 use std::ops::ControlFlow;
 
 /// Every function and operation that has a recurrence, and the time. Factors are binary where they are squared: of 1/3 and
@@ -128,8 +131,8 @@ fn models_run_as_with_gauss_collocation() {
         let (Some(series), Some(flow)) = (catalogued.series, catalogued.flow) else {
             continue;
         };
-        let parameters = catalogued.model.defaults();
-        let start = catalogued.model.start(&parameters);
+        let parameters = values::defaults(catalogued);
+        let start = values::start(catalogued, &parameters);
         let run = Run {
             parameters: &parameters,
             start: &start,
@@ -177,29 +180,6 @@ fn end(order: usize, steps: usize, until: f64) -> Vec<Double> {
         run.step().unwrap();
     }
     run.state().to_array().to_vec()
-}
-
-/// An asymmetric body off its axis.
-fn asymmetric<T: Scalar>() -> (
-    dsl::spatial_reduced::Parameters<T>,
-    dsl::spatial_reduced::State<T>,
-) {
-    let mut parameters = dsl::spatial_reduced::Parameters::<T>::default();
-    let n = T::constant;
-    parameters.J = [
-        [n(1.0), n(0.1), n(0.0)],
-        [n(0.1), n(2.8), n(0.2)],
-        [n(0.0), n(0.2), n(2.0)],
-    ];
-    parameters.rho = [n(0.05), n(0.1), n(0.7)];
-    let mut start = dsl::spatial_reduced::Model::start(&parameters);
-    start.omega = [n(0.5), n(-0.5), n(0.4)];
-    (parameters, start)
-}
-
-fn distance(a: &[Double], b: &[Double]) -> f64 {
-    let pairs = a.iter().zip(b);
-    pairs.fold(0.0, |most, (a, b)| most.max((*a - *b).abs().to_f64()))
 }
 
 #[test]

@@ -32,6 +32,18 @@ pub trait Method<T: Real> {
         state: &mut FlatState<Self::Model, T>,
         statistics: &mut Statistics,
     ) -> Result<Report, Fault>;
+    /// Takes `state` on by as many of `count` steps, the first at time(0), the second at time(1), as need nothing but what is
+    /// at hand, and returns how many; [`Method::advance`] takes the one after these.
+    #[inline]
+    fn advance_quickly(
+        &mut self,
+        _time: impl Fn(u64) -> T,
+        _count: u64,
+        _state: &mut FlatState<Self::Model, T>,
+        _statistics: &mut Statistics,
+    ) -> u64 {
+        0
+    }
     /// The corrections of the last step.
     fn history(&self) -> History;
     /// The equations that faults refer to, for implicit methods.
@@ -141,9 +153,32 @@ impl<M: Method<T>, T: Real> Integration<M, T> {
         }
     }
 
+    /// Advances by `count` steps: what as many calls of [`Integration::step`] do, in less time, since what one step hands
+    /// to the next is not looked at in between.
+    ///
+    /// Errors: as there. The steps before a failed one are taken.
+    pub fn advance(&mut self, count: u64) -> Result<(), StepError> {
+        let end = self.steps() + count;
+        while self.steps() < end {
+            let (first, t0, h) = (self.steps(), self.t0, self.h);
+            let time = |k| time(t0, h, first + k);
+            let taken = self.method.advance_quickly(
+                time,
+                end - first,
+                &mut self.state,
+                &mut self.statistics,
+            );
+            self.statistics.steps += taken;
+            if self.steps() < end {
+                self.step()?;
+            }
+        }
+        Ok(())
+    }
+
     /// The time t₀ + k h after k steps: one rounded product, never a sum of k steps.
     pub fn t(&self) -> T {
-        self.t0 + T::constant(self.statistics.steps as f64) * self.h
+        time(self.t0, self.h, self.statistics.steps)
     }
 
     /// The step h.
@@ -189,16 +224,28 @@ impl<M: Method<T>, T: Real> Integration<M, T> {
     }
 }
 
-/// The state, or the first of its components that is not finite.
 #[inline]
-pub(crate) fn require_finite<T: Real, X: AsRef<[T]>>(state: X) -> Result<X, Fault> {
+fn time<T: Real>(t0: T, h: T, steps: u64) -> T {
+    t0 + T::constant(steps as f64) * h
+}
+
+/// Refuses a state with a component that is not finite.
+#[inline]
+pub(crate) fn require_finite<T: Real>(state: &impl AsRef<[T]>) -> Result<(), Fault> {
     if all_finite(state.as_ref()) {
-        return Ok(state);
+        return Ok(());
     }
-    let (position, value) = first_not_finite(state.as_ref()).unwrap_or((0, f64::NAN));
-    Err(Fault {
+    Err(not_finite(state.as_ref()))
+}
+
+/// The first component that is not finite.
+#[cold]
+#[inline(never)]
+fn not_finite<T: Real>(state: &[T]) -> Fault {
+    let (position, value) = first_not_finite(state).unwrap_or((0, f64::NAN));
+    Fault {
         failure: Failure::NotFinite,
         place: Place::State(position),
         value,
-    })
+    }
 }

@@ -55,8 +55,7 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
         }
     }
 
-    /// The unknowns of the step from `known`, the flat state.
-    #[inline]
+    /// The unknowns of the step from `known`, the flat state, by corrections judged by those before.
     pub(crate) fn solve(
         &mut self,
         scene: &S::Scene,
@@ -68,12 +67,56 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
         if guess.as_ref().is_empty() {
             return Ok((guess, Report::converged(0)));
         }
-        let (x, report) = match self.solve_quickly(scene, step, guess, statistics) {
-            Some(solved) => solved,
-            None => self.solve_thoroughly(scene, step, known, guess, statistics)?,
-        };
+        let (x, report) = self.solve_thoroughly(scene, step, known, guess, statistics)?;
         self.shifts.push(&x, &guess);
         Ok((x, report))
+    }
+
+    /// How many of so many steps may be solved quickly before convergence is measured again.
+    #[inline]
+    pub(crate) fn trusted(&self, steps: u64) -> u64 {
+        if self.x.as_ref().is_empty() {
+            return steps;
+        }
+        steps.min(u64::from(self.trust))
+    }
+
+    /// Takes in that so many of them were.
+    #[inline]
+    pub(crate) fn spend(&mut self, steps: u64) {
+        if !self.x.as_ref().is_empty() {
+            // No more than were trusted.
+            self.trust -= steps as u32;
+        }
+    }
+
+    /// The unknowns of a trusted step, and what was guessed; `None` where it needs to be solved thoroughly.
+    #[inline]
+    pub(crate) fn solve_quickly(
+        &mut self,
+        scene: &S::Scene,
+        step: &S::Step,
+        statistics: &mut Statistics,
+    ) -> Option<(S::Unknowns, S::Unknowns)> {
+        let guess = S::guess(scene, step);
+        if guess.as_ref().is_empty() {
+            return Some((guess, guess));
+        }
+        let mut x = self.shifts.ahead(guess);
+        for _ in 0..self.settings.max_iterations.min(MOST_QUICK) {
+            let correction = self.correction(scene, step, &x, statistics)?;
+            subtract(&mut x, &correction);
+            if self.is_enough(&correction) {
+                return Some((x, guess));
+            }
+        }
+        None
+    }
+
+    /// Takes in the solution of a quick step.
+    #[inline]
+    pub(crate) fn follow(&mut self, x: &S::Unknowns, guess: &S::Unknowns) {
+        self.shifts.push(x, guess);
     }
 
     /// Drops what earlier steps told, where they were not followed by this one.
@@ -87,29 +130,6 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
         self.history
     }
 
-    #[inline]
-    fn solve_quickly(
-        &mut self,
-        scene: &S::Scene,
-        step: &S::Step,
-        guess: S::Unknowns,
-        statistics: &mut Statistics,
-    ) -> Option<(S::Unknowns, Report)> {
-        if self.trust == 0 {
-            return None;
-        }
-        let mut x = self.shifts.ahead(guess);
-        for iterations in 1..=self.settings.max_iterations.min(MOST_QUICK) {
-            let correction = self.correction(scene, step, &x, statistics)?;
-            subtract(&mut x, &correction);
-            if self.is_enough(&correction) {
-                self.trust -= 1;
-                return Some((x, Report::converged(iterations)));
-            }
-        }
-        None
-    }
-
     /// J(x)⁻¹ r(x), if it can be trusted.
     #[inline]
     fn correction(
@@ -119,7 +139,7 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
         x: &S::Unknowns,
         statistics: &mut Statistics,
     ) -> Option<S::Unknowns> {
-        statistics.count_iteration();
+        statistics.iterations += 1;
         if S::HAS_CORRECTION {
             let (correction, growth) = S::correction(scene, step, x);
             return (growth <= T::constant(MOST_GROWTH)).then_some(correction);

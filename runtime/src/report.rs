@@ -33,14 +33,13 @@ impl Report {
 pub struct Statistics {
     /// Accepted steps.
     pub steps: u64,
-    /// Newton corrections applied, or sweeps over the stages of a scheme.
+    /// Newton corrections applied, each of one residual, one Jacobian and one linear system, or sweeps over the stages of a
+    /// scheme.
     pub iterations: u64,
-    /// Evaluations of the residual.
+    /// Residuals evaluated besides, to judge a correction.
     pub residuals: u64,
-    /// Evaluations of the Jacobian.
+    /// Jacobians of the continuous equations, for stiff stages.
     pub jacobians: u64,
-    /// Factorizations of the Jacobian.
-    pub factorizations: u64,
     /// Evaluations of the continuous equations.
     pub flows: u64,
     /// Steps for which the core failed or could not be trusted, so that all unknowns were iterated on.
@@ -49,16 +48,6 @@ pub struct Statistics {
     pub accepted: u64,
     /// Steps that it has tried in vain.
     pub rejected: u64,
-}
-
-impl Statistics {
-    /// Takes in residual, Jacobian and solution of one Newton correction.
-    pub(crate) fn count_iteration(&mut self) {
-        self.iterations += 1;
-        self.residuals += 1;
-        self.jacobians += 1;
-        self.factorizations += 1;
-    }
 }
 
 /// Corrections that a [`History`] keeps.

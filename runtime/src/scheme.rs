@@ -3,6 +3,7 @@
 mod composition;
 mod controlled;
 mod dormand_prince;
+mod extended;
 mod gauss;
 mod runge_kutta;
 pub mod taylor;

@@ -25,8 +25,9 @@ pub(crate) const KEPT: usize = 16;
 /// steps, and that one is taken until it is looked for again.
 #[derive(Clone, Copy)]
 pub(crate) struct Shifts<X> {
-    /// The last ones, at [`Shifts::last`] and, round the end, before it.
-    ring: [X; KEPT],
+    /// The last ones, at [`Shifts::last`] and, round the end of the first half, before it; the second half repeats the
+    /// first, so that any window of them lies in one piece.
+    ring: [[X; KEPT]; 2],
     last: usize,
     /// Steps seen, at most as many as are kept.
     seen: usize,
@@ -37,7 +38,7 @@ impl<X: Copy> Shifts<X> {
     /// Nothing seen; `zeros` only fills the memory.
     pub(crate) fn new(zeros: X) -> Self {
         Self {
-            ring: [zeros; KEPT],
+            ring: [[zeros; KEPT]; 2],
             last: 0,
             seen: 0,
             order: 0,
@@ -57,7 +58,7 @@ impl<X: Copy> Shifts<X> {
     /// The miss of `j` steps ago, j ≥ 1.
     #[inline]
     fn ago(&self, j: usize) -> &X {
-        &self.ring[(self.last + KEPT + 1 - j) % KEPT]
+        &self.ring.as_flattened()[self.last + KEPT + 1 - j]
     }
 
     /// `guess` shifted by what the next solution is expected to lie from it.
@@ -77,18 +78,20 @@ impl<X: Copy> Shifts<X> {
         self.ahead_by(guess, self.order.min(SHORT))
     }
 
-    /// The last miss comes last into the sum, so that all others are summed while it is still being computed.
+    /// The last miss comes last into the sum, so that all others are summed while it is still being computed; weights
+    /// beyond the order are 0, so that there is nothing to branch on.
     #[inline]
     fn ahead_by<T: Scalar>(&self, mut guess: X, order: usize) -> X
     where
         X: AsRef<[T]> + AsMut<[T]>,
     {
-        let weights = &WEIGHTS[order];
-        for j in (1..=order).rev() {
-            let weight = T::constant(weights[j - 1]);
-            for (x, shift) in guess.as_mut().iter_mut().zip(self.ago(j).as_ref()) {
-                *x = *x + weight * *shift;
+        let weights = WEIGHTS[order].map(T::constant);
+        for (i, x) in guess.as_mut().iter_mut().enumerate() {
+            let mut shift = weights[HIGHEST - 1] * self.ago(HIGHEST).as_ref()[i];
+            for j in (1..HIGHEST).rev() {
+                shift = shift + weights[j - 1] * self.ago(j).as_ref()[i];
             }
+            *x = *x + shift;
         }
         guess
     }
@@ -101,9 +104,12 @@ impl<X: Copy> Shifts<X> {
     {
         self.last = (self.last + 1) % KEPT;
         self.seen = (self.seen + 1).min(KEPT);
-        let shifts = self.ring[self.last].as_mut().iter_mut();
-        for ((shift, x), guess) in shifts.zip(solution.as_ref()).zip(guess.as_ref()) {
-            *shift = *x - *guess;
+        let mut shift = *solution;
+        for (shift, guess) in shift.as_mut().iter_mut().zip(guess.as_ref()) {
+            *shift = *shift - *guess;
+        }
+        for half in &mut self.ring {
+            half[self.last] = shift;
         }
     }
 

@@ -12,11 +12,14 @@ use crate::linear::Solvable;
 use crate::model::Model;
 use crate::model::Record;
 use crate::model::StateArray;
+use crate::model::System;
 use crate::newton::Newton;
 use crate::report::History;
 use crate::report::Report;
 use crate::report::Statistics;
 use crate::scalar::Real;
+use crate::scalar::all_finite;
+use crate::sensitivity::amplification;
 use crate::settings::MOST_GROWTH;
 use crate::settings::Settings;
 use crate::settings::Strategy;
@@ -37,6 +40,8 @@ pub struct Implicit<S: Solvable<T>, T: Real> {
 
 /// A system with its scene and Newton's method for it.
 struct Solver<S: Correctable<T>, T: Real> {
+    /// Some of the state follows from unknowns that are not its own.
+    is_core: bool,
     scene: S::Scene,
     newton: Newton<S, T>,
 }
@@ -51,15 +56,15 @@ impl<S: Solvable<T>, T: Real> Stepper<S, T> {
 }
 
 impl<S: Correctable<T>, T: Real> Solver<S, T> {
-    fn new(parameters: &<S::Model as Model<T>>::Parameters, h: T) -> Self {
+    fn new(parameters: &<S::Model as Model<T>>::Parameters, h: T, is_core: bool) -> Self {
         Self {
+            is_core,
             scene: S::scene(parameters, h),
             newton: Newton::new(Settings::default()),
         }
     }
 
     /// Takes `state` one step on, unless what follows from the solution cannot be trusted.
-    #[inline]
     fn advance(
         &mut self,
         t: T,
@@ -67,25 +72,80 @@ impl<S: Correctable<T>, T: Real> Solver<S, T> {
         lost: &mut StateArray<S, T>,
         statistics: &mut Statistics,
     ) -> Result<Report, Fault> {
+        let before = statistics.iterations;
+        if self.advance_quickly(|_| t, 1, state, lost, statistics) == 1 {
+            let iterations = statistics.iterations - before;
+            return Ok(Report::converged(iterations as usize));
+        }
         let scene = &self.scene;
         let step = S::step(scene, t, state);
         let (x, report) = self
             .newton
             .solve(scene, &step, state.as_ref(), statistics)?;
-        // False for NaN.
-        let is_trusted = S::growth(scene, &step, &x) <= T::constant(MOST_GROWTH);
-        if !is_trusted {
+        let most = T::constant(MOST_GROWTH);
+        let is_known = !self.is_core || amplification::<S, T>(scene, &step, &x, state) <= most;
+        if !(is_known && is_trusted::<S, T>(scene, &step, &x)) {
             return Err(self.newton.fault(Failure::Singular));
         }
-        if S::HAS_CHANGE && self.newton.settings.compensated {
-            let change = S::change(scene, &step, &x);
-            let (sum, error) = compensated_sums(state, &change, lost);
-            (*state, *lost) = (require_finite(sum)?, error);
-        } else {
-            *state = require_finite(S::next(scene, &step, &x))?;
-        }
+        let (next, lost_then) = self.after(&step, state, &x, lost);
+        require_finite(&next)?;
+        (*state, *lost) = (next, lost_then);
         Ok(report)
     }
+
+    /// Takes `state` on by as many of `count` steps as can be solved quickly.
+    #[inline]
+    fn advance_quickly(
+        &mut self,
+        time: impl Fn(u64) -> T,
+        count: u64,
+        state: &mut StateArray<S, T>,
+        lost: &mut StateArray<S, T>,
+        statistics: &mut Statistics,
+    ) -> u64 {
+        let count = self.newton.trusted(count);
+        // Held here, not behind a reference, they stay in registers from step to step.
+        let (mut here, mut lost_here) = (*state, *lost);
+        let mut taken = 0;
+        while taken < count {
+            let step = S::step(&self.scene, time(taken), &here);
+            let Some((x, guess)) = self.newton.solve_quickly(&self.scene, &step, statistics) else {
+                break;
+            };
+            let (next, lost_then) = self.after(&step, &here, &x, &lost_here);
+            if !(is_trusted::<S, T>(&self.scene, &step, &x) & all_finite(next.as_ref())) {
+                break;
+            }
+            (here, lost_here) = (next, lost_then);
+            self.newton.follow(&x, &guess);
+            taken += 1;
+        }
+        (*state, *lost) = (here, lost_here);
+        self.newton.spend(taken);
+        taken
+    }
+
+    /// The state after the step, and what its sums have lost to rounding.
+    #[inline]
+    fn after(
+        &self,
+        step: &S::Step,
+        state: &StateArray<S, T>,
+        x: &S::Unknowns,
+        lost: &StateArray<S, T>,
+    ) -> (StateArray<S, T>, StateArray<S, T>) {
+        if S::HAS_CHANGE && self.newton.settings.compensated {
+            let change = S::change(&self.scene, step, x);
+            return compensated_sums(state, &change, lost);
+        }
+        (S::next(&self.scene, step, x), *lost)
+    }
+}
+
+/// Whether what is eliminated follows from `x` to more than rounding. False for NaN.
+#[inline]
+fn is_trusted<S: System<T>, T: Real>(scene: &S::Scene, step: &S::Step, x: &S::Unknowns) -> bool {
+    S::growth(scene, step, x) <= T::constant(MOST_GROWTH)
 }
 
 impl<S: Solvable<T>, T: Real> Method<T> for Implicit<S, T> {
@@ -95,14 +155,13 @@ impl<S: Solvable<T>, T: Real> Method<T> for Implicit<S, T> {
         let mut lost = S::Model::start(parameters).to_array();
         lost.as_mut().fill(T::constant(0.0));
         Self {
-            core: Solver::new(parameters, h),
-            full: Solver::new(parameters, h),
+            core: Solver::new(parameters, h, S::HAS_CORE),
+            full: Solver::new(parameters, h, false),
             lost,
             fell_back: false,
         }
     }
 
-    #[inline]
     fn advance(
         &mut self,
         t: T,
@@ -118,6 +177,25 @@ impl<S: Solvable<T>, T: Real> Method<T> for Implicit<S, T> {
         }
         self.fell_back = false;
         core
+    }
+
+    #[inline]
+    fn advance_quickly(
+        &mut self,
+        time: impl Fn(u64) -> T,
+        count: u64,
+        state: &mut StateArray<S, T>,
+        statistics: &mut Statistics,
+    ) -> u64 {
+        let lost = &mut self.lost;
+        match self.core.newton.settings.strategy {
+            Strategy::Core => self
+                .core
+                .advance_quickly(time, count, state, lost, statistics),
+            Strategy::Full => self
+                .full
+                .advance_quickly(time, count, state, lost, statistics),
+        }
     }
 
     fn history(&self) -> History {

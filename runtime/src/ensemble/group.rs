@@ -338,9 +338,6 @@ impl<'a> Group<'a> {
         let iterations = iterations as u64;
         let together = Statistics {
             iterations,
-            residuals: iterations,
-            jacobians: iterations,
-            factorizations: iterations,
             ..Statistics::default()
         };
         add(&mut sum, together);
@@ -375,7 +372,5 @@ impl<'a> Group<'a> {
 fn add(sum: &mut Statistics, more: Statistics) {
     sum.iterations += more.iterations;
     sum.residuals += more.residuals;
-    sum.jacobians += more.jacobians;
-    sum.factorizations += more.factorizations;
     sum.fallbacks += more.fallbacks;
 }

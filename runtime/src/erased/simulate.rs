@@ -67,11 +67,14 @@ impl Run<'_> {
     ) -> Result<Statistics, RunError> {
         let mut shown = observer(sample(&integration));
         while shown.is_continue() && integration.steps() < self.steps {
-            integration.step()?;
-            let step = integration.steps();
-            if step == self.steps || (self.every > 0 && step.is_multiple_of(self.every)) {
-                shown = observer(sample(&integration));
-            }
+            let left = self.steps - integration.steps();
+            let count = if self.every > 0 {
+                left.min(self.every)
+            } else {
+                left
+            };
+            integration.advance(count)?;
+            shown = observer(sample(&integration));
         }
         Ok(integration.statistics())
     }

@@ -18,6 +18,7 @@ use crate::scalar::Real;
 use crate::scalar::first_not_finite;
 use crate::settings::AT_ROUNDING;
 use crate::settings::LEFTOVER;
+use crate::settings::MOST_GROWTH;
 use crate::settings::RATE_MARGIN;
 use crate::settings::ROUNDING;
 use crate::settings::TRUSTED_STEPS;
@@ -81,7 +82,7 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
         let mut before = T::constant(0.0);
         while self.history.iterations() < self.settings.max_iterations {
             S::residual_and_jacobian(scene, step, &self.x, &mut self.r, &mut self.j);
-            statistics.count_iteration();
+            statistics.iterations += 1;
             require_finite(&self.r)?;
 
             let correction = self.j.solve(&self.r).ok_or(Failure::Singular)?;
@@ -104,7 +105,7 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
             }
             if progress.shrinking {
                 growths = 0;
-            } else if self.residual_is_rounding(known) {
+            } else if self.residual_is_rounding(known) && self.is_determined(&correction, known) {
                 return Ok(self.report(Success::AtFloor));
             } else {
                 growths += 1;
@@ -241,6 +242,28 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
                 }
                 r.abs() <= rounding * terms
             })
+    }
+
+    /// Whether every block is known to ten digits, or so small that no equation feels it: an unknown that is 0 but for
+    /// rounding has no digits and needs none.
+    fn is_determined(&self, correction: &S::Unknowns, known: &[T]) -> bool {
+        let digits = T::constant(MOST_GROWTH) * T::EPSILON;
+        let rounding = T::constant(ROUNDING) * T::EPSILON;
+        let n = self.r.as_ref().len().max(1);
+        self.blocks(known).all(|(unknowns, scale)| {
+            let part = |row: &[T], unknowns: Range<usize>, scale| {
+                let entries = row[unknowns].iter();
+                entries.fold(T::constant(0.0), |sum, entry| sum + entry.abs() * scale)
+            };
+            let is_felt = self.j.entries().chunks_exact(n).any(|row| {
+                let all = self.blocks(known);
+                let terms = all.fold(T::constant(0.0), |sum, (unknowns, scale)| {
+                    sum + part(row, unknowns, scale)
+                });
+                part(row, unknowns.clone(), scale) > rounding * terms
+            });
+            !is_felt || largest(&correction.as_ref()[unknowns]) <= digits * scale
+        })
     }
 
     /// The blocks of unknowns, each with its scale: the largest |x| in the block and in the state it advances.

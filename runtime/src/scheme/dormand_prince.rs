@@ -132,7 +132,8 @@ impl<M: Flow<T>, T: Real> Variable<T> for Pair<M, T> {
             self.rates[i + 1] = rates::<M, T>(&self.scene, time, &at);
         }
         statistics.flows += 6;
-        self.end = require_finite(at)?;
+        require_finite(&at)?;
+        self.end = at;
         let mut error = T::constant(0.0);
         let errors = moved(&zeros::<M, T>(), h, &ERROR, &self.rates);
         let components = errors.as_ref().iter().zip(x.as_ref()).zip(at.as_ref());

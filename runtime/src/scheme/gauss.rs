@@ -1,7 +1,6 @@
 //! Gauss–Legendre collocation, the stages side by side in vectors.
 
 mod coefficients;
-mod extended;
 mod newton;
 mod sweeps;
 mod tableau;
@@ -216,8 +215,8 @@ impl<M: Collocated<T>, T: Packed> Core<M, T> {
         let floor = T::constant(ROUNDING / LEFTOVER);
         let sweeps = self.solve(t, x, h, &weights, floor, statistics)?;
         let (sum, lost) = compensated_sums(x, &self.change, &self.lost);
-        *x = require_finite(sum)?;
-        self.lost = lost;
+        require_finite(&sum)?;
+        (*x, self.lost) = (sum, lost);
         self.take();
         Ok(Report::converged(sweeps as usize))
     }

@@ -55,7 +55,8 @@ impl<M: Flow<T>, T: Real> Method<T> for Explicit<M, T> {
             let middle = two * (k2.as_ref()[i] + k3.as_ref()[i]);
             *next = *next + sixth * (k1.as_ref()[i] + middle + k4.as_ref()[i]);
         }
-        *x = require_finite(next)?;
+        require_finite(&next)?;
+        *x = next;
         Ok(Report::converged(0))
     }
 
