@@ -31,19 +31,18 @@ const MOST_STEPS: u32 = 256;
 
 const END: f64 = 1.0;
 
-fn state_after<S: Method<Double, Model = Model>>(steps: u32) -> Vec<Double> {
+/// `None` where the step is too long for a solution.
+fn state_after<S: Method<Double, Model = Model>>(steps: u32) -> Option<Vec<Double>> {
     let (parameters, start) = asymmetric::<Double>();
     let h = Double::from(END) / Double::from(f64::from(steps));
     let mut run = Integration::<S, Double>::new(parameters, start, h).unwrap();
-    for _ in 0..steps {
-        run.step().unwrap();
-    }
-    run.state_array().to_vec()
+    let outcome = run.advance(u64::from(steps));
+    outcome.ok().map(|()| run.state_array().to_vec())
 }
 
 /// The slope of the error between the shortest step whose error is none of rounding and twice that step.
 fn order<S: Method<Double, Model = Model>>(exact: &[Double]) -> f64 {
-    let error = |steps| distance(&state_after::<S>(steps), exact);
+    let error = |steps| state_after::<S>(steps).map_or(f64::INFINITY, |x| distance(&x, exact));
     let (mut steps, mut coarse, mut order) = (4, error(4), f64::NAN);
     while steps < MOST_STEPS {
         steps *= 2;
@@ -71,13 +70,41 @@ fn orders_are_what_theory_says() {
         ("gauss2", 4.0, order::<Collocation<Model, 2, Double>>(exact)),
         ("gauss3", 6.0, order::<Collocation<Model, 3, Double>>(exact)),
         ("gauss4", 8.0, order::<Collocation<Model, 4, Double>>(exact)),
-        ("gauss5", 10.0, order::<Collocation<Model, 5, Double>>(exact)),
-        ("gauss6", 12.0, order::<Collocation<Model, 6, Double>>(exact)),
-        ("gauss7", 14.0, order::<Collocation<Model, 7, Double>>(exact)),
-        ("gauss8", 16.0, order::<Collocation<Model, 8, Double>>(exact)),
-        ("composition4", 4.0, order::<Composed<Midpoint, 5, Double>>(exact)),
-        ("composition6", 6.0, order::<Composed<Midpoint, 9, Double>>(exact)),
-        ("composition8", 8.0, order::<Composed<Midpoint, 15, Double>>(exact)),
+        (
+            "gauss5",
+            10.0,
+            order::<Collocation<Model, 5, Double>>(exact),
+        ),
+        (
+            "gauss6",
+            12.0,
+            order::<Collocation<Model, 6, Double>>(exact),
+        ),
+        (
+            "gauss7",
+            14.0,
+            order::<Collocation<Model, 7, Double>>(exact),
+        ),
+        (
+            "gauss8",
+            16.0,
+            order::<Collocation<Model, 8, Double>>(exact),
+        ),
+        (
+            "composition4",
+            4.0,
+            order::<Composed<Midpoint, 5, Double>>(exact),
+        ),
+        (
+            "composition6",
+            6.0,
+            order::<Composed<Midpoint, 9, Double>>(exact),
+        ),
+        (
+            "composition8",
+            8.0,
+            order::<Composed<Midpoint, 15, Double>>(exact),
+        ),
     ];
     for (name, _, measured) in orders {
         println!("{name}: {measured}");

@@ -22,8 +22,8 @@ use residua_models::exact::reference;
 use residua_models::values;
 use std::ops::ControlFlow;
 
-/// Every function and operation that has a recurrence, and the time. Factors are binary where they are squared: of 1/3 and
-/// 1/9, each rounded to a double, one is not the square of the other.
+/// Every function and operation that has a recurrence, and the time. Of 1/3 and 1/9 one must be the square of the other, to
+/// all digits.
 mod functions {
     residua::model! {
         param a: 1 = 0.75;
@@ -37,10 +37,10 @@ mod functions {
             τ*der(u) = [
                 sin(x*y),
                 cos(x + y^2),
-                tan(x/2),
-                asin(x/2),
+                tan(x/3),
+                asin(x/3),
                 acos(y/4),
-                atan(x - y),
+                atan(x/3 - y),
                 atan2(x, 2 + y),
                 sinh(x),
                 cosh(y),

@@ -82,7 +82,10 @@ impl<M: Method<T>, T: Real, const S: usize> Method<T> for Composed<M, S, T> {
             steps: gammas.map(|gamma| M::new(parameters, gamma.to::<T>() * h)),
             starts: array::from_fn(|i| {
                 let before = gammas[..i].iter();
-                before.fold(Extended::ZERO, |sum, gamma| sum.add(*gamma)).to::<T>() * h
+                before
+                    .fold(Extended::ZERO, |sum, gamma| sum.add(*gamma))
+                    .to::<T>()
+                    * h
             }),
         }
     }

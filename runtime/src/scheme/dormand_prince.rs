@@ -1,9 +1,9 @@
 //! The explicit pair of Dormand and Prince.
 
+use super::Attempt;
+use super::Tolerance;
+use super::Variable;
 use super::controlled::Adaptive;
-use super::controlled::Attempt;
-use super::controlled::Tolerance;
-use super::controlled::Variable;
 use super::gauss::zeros;
 use super::rates;
 use crate::error::Fault;
