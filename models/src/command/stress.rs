@@ -15,7 +15,7 @@ const STEPS: u64 = 20;
 
 /// Runs at random, of each solver, and in short.
 const RANDOM: usize = 400;
-const FEW_RANDOM: usize = 24;
+const FEW_RANDOM: usize = 40;
 
 /// Of the runs that are not at random, one in so many is made in short.
 const SHORT_SHARE: usize = 7;

@@ -8,6 +8,9 @@ use nalgebra::DVector;
 use nalgebra::Dyn;
 use nalgebra::LU;
 use proc_macro2::TokenStream;
+use rand::RngExt;
+use rand::SeedableRng;
+use rand::rngs::StdRng;
 use residua::description::Unknown;
 use residua::description::Variable;
 use residua::erased::AnySolver;
@@ -33,6 +36,9 @@ const NOTHING: f64 = 1e-29;
 /// Corrections in `f64` that a start may take.
 const ITERATIONS: usize = 50;
 
+/// Starts from which a solution that fits is looked for.
+const STARTS: usize = 12;
+
 /// A start this close, relative, is refined; half of the digits of `f64`, also for difference quotients.
 const NEAR: f64 = 1.5e-8;
 
@@ -46,8 +52,8 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 const ELIMINATED: f64 = 4e6 * f64::EPSILON;
 
 /// Points around the solution at which the rounding of the residual is looked at, and how much more it may be elsewhere.
-const LOOKS: i32 = 8;
-const MARGIN: f64 = 4.0;
+const LOOKS: usize = 8;
+const MARGIN: f64 = 16.0;
 
 /// A solver as graphs.
 pub struct Twin {
@@ -87,7 +93,8 @@ impl Twin {
     /// The step that ends near `ended`; `None` where the equations have no solution there that 31 digits can tell.
     ///
     /// Equations may have several. That of unknowns of the model's own is looked for from their guess first, and
-    /// where that one ends elsewhere, from where they fit `ended` best; if that one does as well, nothing is known.
+    /// where that one ends elsewhere, from where they fit `ended` best. If there are several and none ends there, there
+    /// is no telling.
     pub fn step(&self, solver: &dyn AnySolver, at: &Point, ended: &[f64]) -> Option<Exact> {
         if let Some(x) = self.told(at, ended) {
             let exact = self.refined(solver, at, x.clone())?;
@@ -95,12 +102,38 @@ impl Twin {
             return (!is_in_doubt).then_some(exact);
         }
         let guess = self.guessed(solver, at);
-        let found = guess.and_then(|x| self.refined(solver, at, x));
-        if let Some(exact) = found.filter(|exact| exact.is_met_by(ended)) {
-            return Some(exact);
+        let found = guess.and_then(|x| self.refined(solver, at, x))?;
+        if found.is_met_by(ended) {
+            return Some(found);
         }
-        let fitted = self.refined(solver, at, self.fitted(solver, at, ended)?);
-        fitted.filter(|exact| exact.is_met_by(ended))
+        let starts = self.around(self.guess(solver, at));
+        let fitted = starts.into_iter().filter_map(|start| {
+            let x = self.fitted(solver, at, ended, start)?;
+            self.refined(solver, at, x)
+        });
+        let (mut same, mut others) = (0, 0);
+        for other in fitted {
+            if other.is_met_by(ended) {
+                return Some(other);
+            }
+            match other.is_met_by(&nearest(&found.next)) {
+                true => same += 1,
+                false => others += 1,
+            }
+        }
+        (others == 0 && same > 0).then_some(found)
+    }
+
+    /// The guess and points around it, the same every time.
+    fn around(&self, guess: Vec<f64>) -> Vec<Vec<f64>> {
+        let mut rng = StdRng::seed_from_u64(STARTS as u64);
+        let mut starts = vec![guess];
+        while starts.len() < STARTS {
+            let moved = |x: &f64| x + x.abs().max(1.0) * rng.random_range(-2.0..2.0);
+            let start = starts[0].iter().map(moved).collect();
+            starts.push(start);
+        }
+        starts
     }
 
     /// The solution near `x` in 31 digits.
@@ -170,34 +203,36 @@ impl Twin {
         Some(x.into_iter().map(Double::from).collect())
     }
 
-    /// By the Gauss–Newton method for r(x) = 0 and next(x) = `ended` together.
-    fn fitted(&self, solver: &dyn AnySolver, at: &Point, ended: &[f64]) -> Option<Vec<Double>> {
-        let mut x = self.guess(solver, at);
-        let (n, m) = (x.len(), ended.len());
-        let mut r = vec![0.0; n];
+    /// By the Gauss–Newton method for next(x) = `ended`.
+    fn fitted(
+        &self,
+        solver: &dyn AnySolver,
+        at: &Point,
+        ended: &[f64],
+        mut x: Vec<f64>,
+    ) -> Option<Vec<Double>> {
         let next = |x: &[f64]| {
-            let mut next = vec![0.0; m];
+            let mut next = vec![0.0; ended.len()];
             solver.next(at, x, &mut next);
             next
         };
         for _ in 0..ITERATIONS {
-            solver.residual(at, &x, &mut r);
             let here = next(&x);
             let missed = here.iter().zip(ended).map(|(here, ended)| here - ended);
-            let right = DVector::from_iterator(n + m, r.iter().copied().chain(missed));
-            let mut left = jacobian(solver, at, &x)?.resize_vertically(n + m, 0.0);
-            for j in 0..n {
+            let missed = DVector::from_iterator(ended.len(), missed);
+            let mut slope = DMatrix::zeros(ended.len(), x.len());
+            for j in 0..x.len() {
                 let moved = NEAR * x[j].abs().max(NEAR);
                 let mut there = x.clone();
                 there[j] += moved;
                 for (i, (there, here)) in next(&there).iter().zip(&here).enumerate() {
-                    left[(n + i, j)] = (there - here) / moved;
+                    slope[(i, j)] = (there - here) / moved;
                 }
             }
-            if !left.iter().chain(&right).all(|value| value.is_finite()) {
+            if !slope.iter().chain(&missed).all(|value| value.is_finite()) {
                 return None;
             }
-            let correction = left.svd(true, true).solve(&right, f64::EPSILON).ok()?;
+            let correction = slope.svd(true, true).solve(&missed, f64::EPSILON).ok()?;
             x.iter_mut().zip(&correction).for_each(|(x, c)| *x -= c);
             if correction.amax() <= NEAR * DVector::from_column_slice(&x).amax() {
                 break;
@@ -220,7 +255,7 @@ impl Twin {
         let rounding = jacobian.abs() * DVector::from_column_slice(&scales) * ROUNDING
             + self.rounding(solver, at, x);
         let errors = inverse.abs() * rounding;
-        let share = if self.has_core { ELIMINATED } else { ROUNDING };
+        let share = if self.has_core { ELIMINATED } else { TOLERANCE };
         let mut bound = Vec::with_capacity(next.len());
         for variable in self.states {
             let own = bound.len()..bound.len() + size(variable);
@@ -244,9 +279,10 @@ impl Twin {
     fn rounding(&self, solver: &dyn AnySolver, at: &Point, x: &[Double]) -> DVector<f64> {
         let mut most = DVector::zeros(x.len());
         let mut r = vec![0.0; x.len()];
-        for look in 0..LOOKS {
-            let share = 1.0 + f64::from(look) * f64::EPSILON;
-            let near: Vec<f64> = x.iter().map(|x| x.to_f64() * share).collect();
+        let mut rng = StdRng::seed_from_u64(LOOKS as u64);
+        for _ in 0..LOOKS {
+            let mut share = || 1.0 + f64::EPSILON * rng.random_range(-8.0..8.0);
+            let near: Vec<f64> = x.iter().map(|x| x.to_f64() * share()).collect();
             solver.residual(at, &near, &mut r);
             let there: Vec<Double> = near.into_iter().map(Double::from).collect();
             let exact = self.residual.evaluate(leaf(at, &there));

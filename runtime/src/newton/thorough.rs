@@ -3,6 +3,8 @@
 use core::ops::Range;
 
 use super::Newton;
+use super::rate::is_last;
+use super::rate::is_telling;
 use super::subtract;
 use crate::description::Unknown;
 use crate::error::Failure;
@@ -19,7 +21,6 @@ use crate::scalar::first_not_finite;
 use crate::settings::AT_ROUNDING;
 use crate::settings::LEFTOVER;
 use crate::settings::MOST_GROWTH;
-use crate::settings::RATE_MARGIN;
 use crate::settings::ROUNDING;
 use crate::settings::TRUSTED_STEPS;
 
@@ -91,10 +92,11 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
 
             let progress = self.progress(&correction, known);
             self.history.push(progress.size.to_f64());
-            if self.history.iterations() == 2 {
+            if self.history.iterations() == 2 && is_telling(before) {
                 self.learn(&correction, known);
             }
-            if self.history.iterations() >= 2 && self.is_last(progress.size, before) {
+            let tolerance = self.settings.tolerance;
+            if self.history.iterations() >= 2 && is_last(progress.size, before, tolerance) {
                 return Ok(self.report(Success::Converged));
             }
             if progress.converged {
@@ -166,12 +168,6 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
         if is_due && self.shifts.are_many() && self.settings.tolerance >= T::EPSILON {
             self.trust = TRUSTED_STEPS;
         }
-    }
-
-    /// Whether the error left after a correction of size `e` is within the tolerance even if convergence were
-    /// only linear, at the rate of the last two corrections (Hairer and Wanner, *Solving ODEs II*, IV.8).
-    fn is_last(&self, e: T, before: T) -> bool {
-        e * e <= T::constant(RATE_MARGIN) * self.settings.tolerance * before
     }
 
     fn report(&self, success: Success) -> Report {
