@@ -123,6 +123,18 @@ impl<T: Real> Coefficients<T> {
     }
 }
 
+/// a xᵢ
+#[inline]
+pub(crate) fn scaled<T: Real>(a: T, x: Row<T>) -> Row<T> {
+    x.map(|x| a * x)
+}
+
+/// a + xᵢ
+#[inline(always)]
+pub(crate) fn shifted<T: Real>(a: T, x: Row<T>) -> Row<T> {
+    x.map(|x| a + x)
+}
+
 /// P₀(x), …, P₇(x) of the shifted Legendre polynomials.
 pub(crate) fn legendre<T: Real>(x: T) -> Row<T> {
     let one = T::constant(1.0);
