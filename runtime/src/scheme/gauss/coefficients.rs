@@ -99,6 +99,7 @@ impl<T: Real> Coefficients<T> {
 
     /// Columns of the matrix that takes h bⱼ f(Xⱼ) of one step to Σⱼ aᵢⱼ h f of one that starts at `from` of it and has
     /// `ratio` times its length, by the polynomial of the rates.
+    #[expect(clippy::needless_range_loop, reason = "indices as in the formula")]
     pub(crate) fn extrapolation(&self, from: T, ratio: T) -> [Row<T>; LANES] {
         let zero = T::constant(0.0);
         let s = self.stages;
