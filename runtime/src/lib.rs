@@ -36,8 +36,10 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! - [`Stepper`] solves the discrete equations by Newton's method, [`RungeKutta4`] integrates the continuous
-//!   ones; both are an [`Integration`]. Time is t₀ + k h, never a sum of steps.
+//! - [`Stepper`] solves the discrete equations by Newton's method. The continuous ones are integrated by [`Gauss`]
+//!   collocation, a [`Composition`] of midpoint rules, the [`Trapezoidal`] rule, [`RungeKutta4`] or [`taylor`] series, and in
+//!   steps that follow their error by an [`Adaptive`] run or [`DormandPrince5`]. All of them are an [`Integration`]. Time is
+//!   t₀ + k h, never a sum of steps.
 //! - A step allocates nothing, and neither does a failed one: the state stays as it was, and [`StepError`]
 //!   says which equation, when, and by how much.
 //! - Everything works on any [`Scalar`], Newton's method on any [`Real`]: `f64` and `f32`.
@@ -57,7 +59,9 @@ extern crate self as residua;
 #[cfg(any(test, feature = "ensemble"))]
 extern crate std;
 
+mod compensated;
 mod component;
+pub mod convolution;
 pub mod description;
 #[cfg(feature = "ensemble")]
 mod ensemble;
@@ -68,10 +72,11 @@ mod lanes;
 mod linear;
 mod model;
 mod newton;
+mod packed;
 mod report;
 mod requirement;
-mod runge_kutta;
 mod scalar;
+mod scheme;
 mod sensitivity;
 mod settings;
 mod shifts;
@@ -114,8 +119,15 @@ pub use model::Cache;
 pub use model::Flow;
 pub use model::Model;
 pub use model::Record;
+pub use model::Series;
 pub use model::StateArray;
 pub use model::System;
+pub use packed::Arithmetic;
+pub use packed::Each;
+pub use packed::Pack;
+pub use packed::Packed;
+pub use packed::Plain;
+pub use packed::Work;
 pub use report::History;
 pub use report::Report;
 pub use report::Statistics;
@@ -124,10 +136,26 @@ pub use requirement::Relation;
 pub use requirement::unmet;
 #[cfg(feature = "macros")]
 pub use residua_macros::*;
-pub use runge_kutta::Explicit;
-pub use runge_kutta::RungeKutta4;
 pub use scalar::Real;
 pub use scalar::Scalar;
+pub use scheme::Adaptive;
+pub use scheme::Attempt;
+pub use scheme::Collocated;
+pub use scheme::Collocation;
+pub use scheme::Composed;
+pub use scheme::Composition;
+pub use scheme::Controlled;
+pub use scheme::DormandPrince5;
+pub use scheme::Ends;
+pub use scheme::Explicit;
+pub use scheme::Gauss;
+pub use scheme::Pair;
+pub use scheme::RungeKutta4;
+pub use scheme::Tolerance;
+pub use scheme::Trapezoidal;
+pub use scheme::Variable;
+pub use scheme::VariableGauss;
+pub use scheme::taylor;
 pub use settings::Settings;
 pub use settings::Strategy;
 pub use stepper::Implicit;

@@ -33,14 +33,21 @@ impl Report {
 pub struct Statistics {
     /// Accepted steps.
     pub steps: u64,
-    /// Newton corrections applied, each of one residual, one Jacobian and one linear system.
+    /// Newton corrections applied, each of one residual, one Jacobian and one linear system, or sweeps over the stages of a
+    /// scheme.
     pub iterations: u64,
     /// Residuals evaluated besides, to judge a correction.
     pub residuals: u64,
+    /// Jacobians of the continuous equations, for stiff stages.
+    pub jacobians: u64,
     /// Evaluations of the continuous equations.
     pub flows: u64,
     /// Steps for which the core failed or could not be trusted, so that all unknowns were iterated on.
     pub fallbacks: u64,
+    /// Steps that a step-size control has taken, of which outputs are interpolated.
+    pub accepted: u64,
+    /// Steps that it has tried in vain.
+    pub rejected: u64,
 }
 
 /// Corrections that a [`History`] keeps.

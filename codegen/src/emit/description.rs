@@ -45,6 +45,11 @@ pub(super) fn emit(
     let claims = findings.iter().map(claim);
     let requirements = super::requirements::described(model);
     let has_flow = program.flow.is_some();
+    let series = program.series.as_ref();
+    let no_series = match series {
+        Some(Err(reason)) => quote!(::core::option::Option::Some(#reason)),
+        Some(Ok(_)) | None => quote!(::core::option::Option::None),
+    };
     let counts = std::iter::once(&program.outputs).chain(&program.flow);
     let counts = counts.flat_map(self::counts);
     let scene = match receipt {
@@ -63,6 +68,7 @@ pub(super) fn emit(
             claims: &[#(#claims),*],
             requirements: &[#(#requirements),*],
             has_flow: #has_flow,
+            no_series: #no_series,
             counts: &[#(#counts),*],
             scene: #scene,
         };
@@ -81,6 +87,12 @@ pub(super) fn catalogued(program: &Program) -> TokenStream {
         )),
         None => quote!(::core::option::Option::None),
     };
+    let series = match program.series {
+        Some(Ok(_)) => quote!(::core::option::Option::Some(
+            &::residua::erased::ErasedSeries::<Model>::NEW
+        )),
+        Some(Err(_)) | None => quote!(::core::option::Option::None),
+    };
     quote! {
         /// The model behind one face, for programs that pick models at run time.
         pub static MODEL: ::residua::Catalogued = ::residua::Catalogued {
@@ -88,6 +100,7 @@ pub(super) fn catalogued(program: &Program) -> TokenStream {
             model: &::residua::erased::ErasedModel::<Model>::NEW,
             solvers: &[#(#solvers),*],
             flow: #flow,
+            series: #series,
         };
     }
 }

@@ -17,6 +17,7 @@ mod phrase;
 mod record;
 mod requirements;
 mod scope;
+mod series;
 mod solver;
 mod statements;
 mod variables;
@@ -63,6 +64,10 @@ fn items(
         .flow
         .as_ref()
         .map(|schedule| flow::emit(model, schedule));
+    let series = match &program.series {
+        Some(Ok(expansion)) => Some(series::emit(model, expansion)),
+        Some(Err(_)) | None => None,
+    };
     let solvers = program.solvers.iter().enumerate();
     let solvers = solvers.map(|(i, solver)| solver::emit(model, solver, i));
     let description = description::emit(model, program, findings, receipt);
@@ -70,6 +75,7 @@ fn items(
         #(#records)*
         #implementation
         #flow
+        #series
         #(#solvers)*
         #description
     }

@@ -14,6 +14,7 @@ mod error;
 mod extrapolation;
 mod free_body;
 mod planar;
+mod reference;
 mod spatial;
 
 pub use double::Double;
@@ -25,6 +26,7 @@ pub use free_body::FreeBody;
 pub use planar::PlanarPendulum;
 pub use planar::PlanarState;
 pub use planar::Regime;
+pub use reference::reference;
 pub use spatial::Solution;
 pub use spatial::SpatialPendulum;
 pub use spatial::SpatialState;

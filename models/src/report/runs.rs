@@ -13,6 +13,7 @@ use residua::Catalogued;
 use residua::Settings;
 use residua::erased::Run;
 use residua::erased::Sample;
+use residua::erased::Scheme;
 use std::fmt;
 use std::ops::ControlFlow;
 use std::thread;
@@ -155,7 +156,7 @@ impl Wanted {
             }
             Method::RungeKutta4 => {
                 let flow = model.flow.ok_or(RunError::Flow(*self))?;
-                flow.simulate(&run, &mut observer)
+                flow.simulate(Scheme::RungeKutta4, &run, &mut observer)
             }
         };
         match outcome {

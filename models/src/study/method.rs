@@ -7,6 +7,7 @@ use residua::erased::AnyFlow;
 use residua::erased::AnySolver;
 use residua::erased::Observer;
 use residua::erased::Run;
+use residua::erased::Scheme;
 
 /// A generated solver or a baseline.
 #[derive(Clone, Copy)]
@@ -47,7 +48,7 @@ impl Method {
     pub fn simulate(self, run: &Run, observer: &mut Observer) -> Result<Statistics, RunError> {
         match self {
             Method::Newton(solver) => solver.simulate(run, observer),
-            Method::RungeKutta4(flow) => flow.simulate(run, observer),
+            Method::RungeKutta4(flow) => flow.simulate(Scheme::RungeKutta4, run, observer),
         }
     }
 }

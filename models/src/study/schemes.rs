@@ -11,6 +11,7 @@ use super::trial::Trial;
 use super::trial::Watched;
 use residua::erased::AnyFlow;
 use residua::erased::Sample;
+use residua::erased::Scheme;
 use std::ops::ControlFlow;
 
 /// Half the length of the piece of the exact motion that phase is looked for on, s.
@@ -102,7 +103,7 @@ impl Piece {
         for h in [-REACH / PIECES as f64, REACH / PIECES as f64] {
             let mut run = case.run(h, PIECES);
             run.t0 = until;
-            let outcome = flow.simulate(&run, &mut |sample: Sample<'_>| {
+            let outcome = flow.simulate(Scheme::RungeKutta4, &run, &mut |sample: Sample<'_>| {
                 let signals = Signals::read(&case, h, sample.t, sample.state);
                 moments.push((sample.t - until, signals.values));
                 ControlFlow::Continue(())

@@ -1,5 +1,7 @@
 //! From the options of `simulate` to a run that can start.
 
+mod scheme;
+
 use super::Simulate;
 use crate::assignment::{Assignment, Target, assign};
 use crate::expression::Symbol;
@@ -8,7 +10,9 @@ use crate::notation::number;
 use crate::values;
 use residua::Catalogued;
 use residua::description::{Description, Variable};
-use residua::erased::{AnyFlow, AnySolver};
+use scheme::scheme;
+
+pub use scheme::{NEWTON, Scheme, Terms, solver};
 
 /// More steps than this are taken for a mistake: at 100 ns a step they last a day.
 const MAX_STEPS: f64 = 1e12;
@@ -37,30 +41,19 @@ pub struct Plan {
     pub note: Option<String>,
 }
 
-/// What advances the state.
-#[derive(Clone, Copy)]
-pub enum Scheme {
-    /// The discrete equations.
-    Newton(&'static dyn AnySolver),
-    /// Runge–Kutta 4 on the continuous ones.
-    RungeKutta(&'static dyn AnyFlow),
-}
-
 /// Checks the options against the model.
 pub fn plan(options: &Simulate, model: &'static Catalogued) -> Result<Plan, Failure> {
     let Span { step, steps, note } = span(model, options.step, options.until)?;
-    if !(options.tolerance > 0.0 && options.tolerance < 1.0) {
-        let message = format!(
-            "the tolerance is {}, not between 0 and 1",
-            options.tolerance
-        );
+    if let Some(tolerance) = options.tolerance.filter(|t| !(*t > 0.0 && *t < 1.0)) {
+        let message = format!("the tolerance is {tolerance}, not between 0 and 1");
         return Err(Failure::input(message));
     }
-    let is_newton = options.scheme == super::SchemeName::Newton;
+    let is_newton = options.scheme == NEWTON;
     if !is_newton && (options.strategy.is_some() || options.uncompensated) {
-        return Err(Failure::input(
-            "--strategy and --uncompensated are of Newton's method, and rk4 has none",
-        ));
+        return Err(Failure::input(format!(
+            "--strategy and --uncompensated are of Newton's method on the discrete equations, and {} is another scheme",
+            options.scheme
+        )));
     }
     let (parameters, start) = values(options, model)?;
     Ok(Plan {
@@ -119,38 +112,6 @@ fn steps(step: f64, until: f64) -> Result<Span, Failure> {
         step,
         steps: steps as u64,
         note: (!whole).then_some(note),
-    })
-}
-
-fn scheme(options: &Simulate, model: &Catalogued) -> Result<Scheme, Failure> {
-    let name = model.description.name;
-    match (options.scheme, &options.form) {
-        (super::SchemeName::Rk4, Some(_)) => Err(Failure::input(
-            "--form chooses discrete equations, and rk4 integrates the continuous ones",
-        )),
-        (super::SchemeName::Rk4, None) => model.flow.map(Scheme::RungeKutta).ok_or_else(|| {
-            Failure::input_with_help(
-                format!("`{name}` has no continuous equations for rk4"),
-                "give its model file a `flow { … }`",
-            )
-        }),
-        (super::SchemeName::Newton, form) => solver(form.as_deref(), model).map(Scheme::Newton),
-    }
-}
-
-/// The solver of a form, or the first one.
-pub fn solver(form: Option<&str>, model: &Catalogued) -> Result<&'static dyn AnySolver, Failure> {
-    let name = model.description.name;
-    let wanted = |solver: &&&'static dyn AnySolver| form.is_none_or(|f| solver.solver().form == f);
-    model.solvers.iter().find(wanted).copied().ok_or_else(|| {
-        let forms: Vec<&str> = model.solvers.iter().map(|s| s.solver().form).collect();
-        Failure::input(match form {
-            Some(form) => format!(
-                "`{name}` has no form `{form}`, only {}",
-                forms.join(" and ")
-            ),
-            None => format!("`{name}` has no discrete equations"),
-        })
     })
 }
 

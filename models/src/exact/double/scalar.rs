@@ -1,10 +1,44 @@
 //! What generated code, and the graphs that it is generated from, may ask of a number.
 
+use residua::Packed;
+use residua::Plain;
+use residua::Real;
 use residua::Scalar;
+use residua::Work;
+use residua::convolution::Convolutions;
+use residua::convolution::Convolved;
+use residua::convolution::Each;
 use residua_codegen::dag::Elementary;
 use residua_codegen::dag::Number;
 
 use super::Double;
+
+impl Real for Double {
+    /// Sums and products are within 2⁻¹⁰⁰.
+    const EPSILON: Self = Self::new(f64::EPSILON * f64::EPSILON, 0.0);
+
+    fn is_finite(self) -> bool {
+        Double::is_finite(self)
+    }
+
+    fn to_f64(self) -> f64 {
+        Double::to_f64(self)
+    }
+}
+
+impl Packed for Double {
+    type Pack<const N: usize> = residua::Each<Self, N>;
+
+    fn work<W: Work<Self>>(work: W) -> W::Output {
+        work.run(Plain)
+    }
+}
+
+impl Convolved for Double {
+    fn convolve<W: Convolutions<Self>>(work: W) {
+        work.run(Each);
+    }
+}
 
 impl Scalar for Double {
     fn constant(value: f64) -> Self {

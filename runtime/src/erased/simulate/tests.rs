@@ -8,6 +8,7 @@ use super::Run;
 use crate::Catalogued;
 use crate::RunError;
 use crate::Settings;
+use crate::erased::Scheme;
 use crate::specimens::pendulum::MODEL;
 
 const RUN: Run = Run {
@@ -36,10 +37,13 @@ fn shown(run: &Run) -> [Vec<u64>; 2] {
         ControlFlow::Continue(())
     });
     assert_eq!(result.unwrap().steps, run.steps);
-    let result = MODEL.flow.unwrap().simulate(run, &mut |sample| {
-        explicit.push(sample.step);
-        ControlFlow::Continue(())
-    });
+    let result = MODEL
+        .flow
+        .unwrap()
+        .simulate(Scheme::RungeKutta4, run, &mut |sample| {
+            explicit.push(sample.step);
+            ControlFlow::Continue(())
+        });
     assert_eq!(result.unwrap().flows, 4 * run.steps);
     [implicit, explicit]
 }
@@ -67,7 +71,7 @@ fn refused(run: &Run) -> std::string::String {
     let explicit = MODEL
         .flow
         .unwrap()
-        .simulate(run, &mut observer)
+        .simulate(Scheme::RungeKutta4, run, &mut observer)
         .unwrap_err();
     assert!(matches!(implicit, RunError::Invalid(_)));
     assert_eq!(implicit.to_string(), explicit.to_string());

@@ -19,6 +19,7 @@ static ONE_STATE: Description = Description {
     claims: &[],
     requirements: &[],
     has_flow: false,
+    no_series: None,
     counts: &[],
     scene: None,
 };
