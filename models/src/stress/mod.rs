@@ -4,10 +4,15 @@
 //! double-double numbers, from the state that it began with.
 
 mod cases;
+mod running;
 mod twin;
 
+use std::collections::BTreeMap;
 use std::ops::ControlFlow;
+use std::sync::Mutex;
+use std::sync::PoisonError;
 
+use residua::Fleet;
 use residua::RunError;
 use residua::Settings;
 use residua::erased::AnySolver;
@@ -51,9 +56,30 @@ pub struct Wrong {
     pub bound: f64,
 }
 
-/// Makes the run of `case`, `steps` long, and judges it.
+/// Makes the run of `case`, `steps` long, by itself and as an ensemble of one, and tells what was the worse.
 pub fn judge(solver: &dyn AnySolver, twin: &Twin, case: &Case, steps: u64) -> Verdict {
-    let mut states: Vec<Vec<f64>> = Vec::new();
+    let alone = judge_run(solver, twin, case, &alone(solver, case, steps));
+    let together = judge_run(solver, twin, case, &together(solver, case, steps));
+    let severity = |verdict: &Verdict| match verdict {
+        Verdict::Right => 0,
+        Verdict::Refused => 1,
+        Verdict::Open => 2,
+        Verdict::Wrong(_) => 3,
+    };
+    match severity(&together) > severity(&alone) {
+        true => together,
+        false => alone,
+    }
+}
+
+/// A run that was made.
+struct Made {
+    states: Vec<Vec<f64>>,
+    error: Option<RunError>,
+}
+
+fn alone(solver: &dyn AnySolver, case: &Case, steps: u64) -> Made {
+    let mut states = Vec::new();
     let run = Run {
         parameters: &case.parameters,
         start: &case.start,
@@ -67,7 +93,40 @@ pub fn judge(solver: &dyn AnySolver, twin: &Twin, case: &Case, steps: u64) -> Ve
         states.push(sample.state.to_vec());
         ControlFlow::Continue(())
     });
-    if case.kind == Kind::NotFinite && !matches!(outcome, Err(RunError::Invalid(_))) {
+    let error = outcome.err();
+    Made { states, error }
+}
+
+fn together(solver: &dyn AnySolver, case: &Case, steps: u64) -> Made {
+    let shown = Mutex::new(BTreeMap::new());
+    let fleet = Fleet {
+        trajectories: 0..1,
+        fill: &|_, parameters, start| {
+            parameters.copy_from_slice(&case.parameters);
+            start.copy_from_slice(&case.start);
+        },
+        h: case.h,
+        t0: 0.0,
+        steps,
+        every: 1,
+        settings: Settings::default(),
+        observer: &|_, sample| {
+            let mut shown = shown.lock().unwrap_or_else(PoisonError::into_inner);
+            shown.insert(sample.step, sample.state.to_vec());
+        },
+    };
+    let error = match solver.fly(&fleet) {
+        Ok(outcomes) => outcomes.first().and_then(|outcome| outcome.error),
+        Err(invalid) => Some(invalid.into()),
+    };
+    let shown = shown.into_inner().unwrap_or_else(PoisonError::into_inner);
+    let states = shown.into_values().collect();
+    Made { states, error }
+}
+
+fn judge_run(solver: &dyn AnySolver, twin: &Twin, case: &Case, made: &Made) -> Verdict {
+    let Made { states, error } = made;
+    if case.kind == Kind::NotFinite && !matches!(error, Some(RunError::Invalid(_))) {
         return Verdict::Wrong(Wrong {
             step: 0,
             component: 0,
@@ -93,7 +152,7 @@ pub fn judge(solver: &dyn AnySolver, twin: &Twin, case: &Case, steps: u64) -> Ve
             None => is_open = true,
         }
     }
-    match (outcome.is_err(), is_open) {
+    match (error.is_some(), is_open) {
         (_, true) => Verdict::Open,
         (true, false) => Verdict::Refused,
         (false, false) => Verdict::Right,

@@ -22,6 +22,7 @@ use residua_codegen::source::read_source;
 use residua_codegen::system::System;
 use residua_codegen::{analyse, analyse_scene};
 
+use super::running::Running;
 use crate::Entry;
 use crate::columns::size;
 use crate::exact::Double;
@@ -51,10 +52,6 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// Where unknowns are eliminated, a few roundings may each grow by 1e6 before the elimination is given up.
 const ELIMINATED: f64 = 4e6 * f64::EPSILON;
 
-/// Points around the solution at which the rounding of the residual is looked at, and how much more it may be elsewhere.
-const LOOKS: usize = 8;
-const MARGIN: f64 = 16.0;
-
 /// A solver as graphs.
 pub struct Twin {
     states: &'static [Variable],
@@ -62,6 +59,7 @@ pub struct Twin {
     unknowns: &'static [Unknown],
     is_increment: bool,
     residual: Tape<Double>,
+    running: Tape<Running>,
     next: Tape<Double>,
 }
 
@@ -86,6 +84,7 @@ impl Twin {
             unknowns: solver.solver().unknowns,
             is_increment: form == "increment",
             residual: system.dag.tape_of(&system.residual),
+            running: system.dag.tape_of(&system.residual),
             next: system.dag.tape_of(&system.next),
         })
     }
@@ -165,7 +164,7 @@ impl Twin {
             return false;
         };
         let scales = DVector::from_vec(self.scales(at, x));
-        let most = jacobian.abs() * scales * ROUNDING + self.rounding(solver, at, x);
+        let most = jacobian.abs() * scales * ROUNDING + self.rounding(at, x);
         let residual = self.residual.evaluate(leaf(at, x));
         let mut pairs = residual.iter().zip(&most);
         pairs.all(|(r, most)| r.to_f64().abs() <= *most)
@@ -252,8 +251,8 @@ impl Twin {
         let jacobian = jacobian(solver, at, &nearest(x))?;
         let scales = self.scales(at, x);
         let inverse = inverse(jacobian.clone().lu(), x.len())?;
-        let rounding = jacobian.abs() * DVector::from_column_slice(&scales) * ROUNDING
-            + self.rounding(solver, at, x);
+        let rounding =
+            jacobian.abs() * DVector::from_column_slice(&scales) * ROUNDING + self.rounding(at, x);
         let errors = inverse.abs() * rounding;
         let share = if self.has_core { ELIMINATED } else { TOLERANCE };
         let mut bound = Vec::with_capacity(next.len());
@@ -275,22 +274,13 @@ impl Twin {
         (is_finite && bound.iter().all(|bound| bound.is_finite())).then_some(Exact { next, bound })
     }
 
-    /// What rounding does to the residual in `f64`; its terms may be larger than any of its derivatives tells.
-    fn rounding(&self, solver: &dyn AnySolver, at: &Point, x: &[Double]) -> DVector<f64> {
-        let mut most = DVector::zeros(x.len());
-        let mut r = vec![0.0; x.len()];
-        let mut rng = StdRng::seed_from_u64(LOOKS as u64);
-        for _ in 0..LOOKS {
-            let mut share = || 1.0 + f64::EPSILON * rng.random_range(-8.0..8.0);
-            let near: Vec<f64> = x.iter().map(|x| x.to_f64() * share()).collect();
-            solver.residual(at, &near, &mut r);
-            let there: Vec<Double> = near.into_iter().map(Double::from).collect();
-            let exact = self.residual.evaluate(leaf(at, &there));
-            for ((most, r), exact) in most.iter_mut().zip(&r).zip(exact) {
-                *most = f64::max(*most, MARGIN * off(*r, exact));
-            }
-        }
-        most
+    /// What rounding may do to the residual in `f64`, in whatever order it is computed.
+    fn rounding(&self, at: &Point, x: &[Double]) -> DVector<f64> {
+        let residual = self
+            .running
+            .evaluate(|l| Running::exact(leaf(at, x)(l).to_f64()));
+        let bounds = residual.iter().map(|r| r.error);
+        DVector::from_iterator(x.len(), bounds)
     }
 
     /// The size of each unknown: the largest of its block and of the state that the block advances.

@@ -11,6 +11,7 @@ use pulp::NullaryFnOnce;
 
 use super::rows::Row;
 use super::rows::WIDTH;
+use super::rows::get;
 use super::rows::lanes;
 use super::rows::set_lanes;
 use crate::compensated::compensated_sum;
@@ -28,6 +29,7 @@ use crate::model::Record;
 use crate::model::System;
 use crate::report::Statistics;
 use crate::scalar::Scalar;
+use crate::sensitivity::amplification;
 use crate::settings::MOST_GROWTH;
 use crate::settings::Settings;
 use crate::stepper::Stepper;
@@ -138,6 +140,8 @@ pub(crate) trait Kernel: Sync {
     fn scene(&self, parameters: &[f64], h: f64, out: &mut [f64]);
     /// Corrects the unknowns of all lanes once; true if that is enough for all but the idle.
     fn correct(&self, arch: Arch, start: Start, landing: Landing) -> bool;
+    /// How many times rounding of the unknowns grows on its way to the state after the step, for one trajectory.
+    fn amplification(&self, lane: usize, t: f64, scene: &[Row], state: &[Row], x: &[Row]) -> f64;
     /// One trajectory by itself.
     fn alone(&self, departure: &Departure) -> Result<Box<dyn Alone>, InvalidRun>;
 }
@@ -199,6 +203,20 @@ impl<S: Wide + 'static> Kernel for Emitted<S> {
                 system: PhantomData,
             })
         }
+    }
+
+    fn amplification(&self, lane: usize, t: f64, scene: &[Row], state: &[Row], x: &[Row]) -> f64 {
+        if !<S as System<f64>>::HAS_CORE {
+            return 0.0;
+        }
+        let parameters = <<S as System<f64>>::Model as Model<f64>>::Parameters::default();
+        let mut known = <<S as System<f64>>::Model as Model<f64>>::start(&parameters).to_array();
+        get(state, lane, known.as_mut());
+        let (mut unknowns, _) = Core::<S, f64>::zeros();
+        get(x, lane, unknowns.as_mut());
+        let scene = <Core<S, f64> as System<f64>>::Scene::gather(|j| scene[j][lane]);
+        let step = Core::<S, f64>::step(&scene, t, &known);
+        amplification::<Core<S, f64>, f64>(&scene, &step, &unknowns, &known)
     }
 
     fn alone(&self, departure: &Departure) -> Result<Box<dyn Alone>, InvalidRun> {

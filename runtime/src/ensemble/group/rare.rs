@@ -13,6 +13,7 @@ use crate::ensemble::rows::merge;
 use crate::ensemble::rows::zeros;
 use crate::newton::rate::is_last;
 use crate::newton::rate::is_telling;
+use crate::settings::MOST_GROWTH;
 use crate::settings::MOST_QUICK;
 use crate::settings::TRUSTED_STEPS;
 
@@ -88,7 +89,10 @@ impl Group<'_> {
                 let is_last = is_last(now.size[i], before.size[i], tolerance);
                 let is_small = now.converged[i] && now.size[i] <= before.size[i];
                 let is_enough = self.within[i] != 0.0 || is_last || is_small;
-                accepted[i] = open[i] && self.sound[i] != 0.0 && is_enough;
+                accepted[i] = open[i]
+                    && self.sound[i] != 0.0
+                    && is_enough
+                    && (!self.is_due(i) || self.is_known(i, &last_x));
                 self.iterations[i] += i64::from(open[i]);
                 open[i] &= !accepted[i];
             }
@@ -107,6 +111,15 @@ impl Group<'_> {
             self.absences[lane] += 1;
             self.depart(lane, self.step.saturating_add(absence));
         }
+    }
+
+    /// Whether the state after the step follows from the unknowns to more than rounding, which is looked at together with
+    /// convergence.
+    fn is_known(&self, lane: usize, x: &[Row]) -> bool {
+        let growth = self
+            .kernel
+            .amplification(lane, self.t(), &self.scene, &self.state, x);
+        growth <= MOST_GROWTH
     }
 
     /// Takes in the limits of those who are due, and the larger ones of others.
