@@ -21,6 +21,7 @@ pub mod errata;
 pub mod exact;
 pub mod notation;
 pub mod plot;
+pub mod race;
 pub mod report;
 pub mod study;
 pub mod values;
