@@ -1,9 +1,11 @@
 //! `residua bench`: what things cost.
 
+mod precision;
 mod steps;
 
 use crate::failure::Failure;
 use clap::{Args, Subcommand};
+use precision::Precision;
 use steps::Steps;
 
 /// Time what Residua does
@@ -16,6 +18,7 @@ pub struct Bench {
 #[derive(Subcommand)]
 enum What {
     Steps(Steps),
+    Precision(Precision),
 }
 
 impl Bench {
@@ -23,6 +26,7 @@ impl Bench {
     pub fn run(self) -> Result<(), Failure> {
         match self.what {
             What::Steps(steps) => steps.run(),
+            What::Precision(precision) => precision.run(),
         }
     }
 }

@@ -1,0 +1,413 @@
+//! A motion, its exact end, and the models that take it.
+
+use crate::CATALOGUE;
+use crate::Entry;
+use crate::SCENES;
+use crate::UnknownModel;
+use crate::columns::size;
+use crate::exact::Invalid;
+use crate::exact::Reference;
+use crate::find;
+use crate::nearest;
+use crate::study;
+use crate::study::Case;
+use crate::study::Correspondence;
+use crate::study::Course;
+use crate::study::Piece;
+use crate::study::are_kin;
+use crate::study::largest_size;
+use crate::values;
+use residua::Catalogued;
+use residua::description::Variable;
+use residua::erased::AnyFlow;
+use residua::erased::Sample;
+use std::fmt;
+use std::ops::ControlFlow;
+
+/// End of the motion of a model that no scene gives one, s.
+const UNTIL: f64 = 10.0;
+
+/// Steps of the run that tells how fast a motion is, and states of it that are looked at.
+const LOOKS: (u64, u64) = (1 << 14, 64);
+
+/// Change of the state, relative to its size, in the longest step of the reference. Shorter steps cost more, and so do
+/// longer ones, which need more columns of the extrapolation.
+const LONGEST: f64 = 1.5;
+
+/// A motion that every formulation is to follow.
+pub struct Problem {
+    /// Of the scene or model.
+    pub name: String,
+    /// What it is.
+    pub caption: String,
+    /// Its end, s.
+    pub until: f64,
+    /// The exact state of `reference` there, and how sure it is.
+    pub exact: Reference,
+    /// Where the exact state is from.
+    pub source: &'static str,
+    /// What the exact motion is given in.
+    pub reference: Case,
+    /// The motion about its end.
+    pub piece: Piece,
+    /// Models that take it, those that were asked for.
+    pub formulations: Vec<Formulation>,
+}
+
+/// A model that takes the motion.
+pub struct Formulation {
+    /// The model with parameters and start.
+    pub case: Case,
+    /// Its entry in the catalogue.
+    pub entry: &'static Entry,
+    /// Which of its signals are which of the reference.
+    pub alike: Correspondence,
+}
+
+/// Parameters and rates of a motion, whatever the variables.
+pub struct Given {
+    /// The model whose variables the exact motion is given in.
+    pub reference: Case,
+    /// The end, s.
+    pub until: f64,
+    /// What it is.
+    pub caption: String,
+    /// Models that may take it.
+    candidates: Vec<Case>,
+    /// The study's scene, which has an exact motion of its own.
+    scene: Option<study::Scene>,
+}
+
+/// Why there is nothing to measure.
+#[derive(Debug, PartialEq)]
+pub enum Unsolvable {
+    /// There is no such scene or model.
+    UnknownScene(UnknownModel),
+    /// There is no such model.
+    UnknownModel(UnknownModel),
+    /// The model has no continuous equations.
+    WithoutFlow(String),
+    /// A model that was asked for does not take this motion.
+    OtherMotion {
+        /// The model.
+        model: String,
+        /// The scene.
+        scene: String,
+        /// The models that do.
+        of: Vec<&'static str>,
+    },
+    /// Nothing changes, or the motion cannot be followed.
+    NoMotion(String),
+    /// There is no exact motion.
+    Invalid(Invalid),
+}
+
+impl Given {
+    /// The scene or model of that name, to its own end or another.
+    ///
+    /// # Errors
+    /// Where there is none, or it has no continuous equations.
+    pub fn named(name: &str, until: Option<f64>) -> Result<Self, Unsolvable> {
+        match study::SCENES.iter().find(|scene| scene.name == name) {
+            Some(scene) => Self::of_study(scene, until),
+            None => Self::of_entry(name, until),
+        }
+    }
+
+    fn of_study(scene: &study::Scene, until: Option<f64>) -> Result<Self, Unsolvable> {
+        let until = until.unwrap_or(scene.until);
+        let scene = study::Scene { until, ..*scene };
+        let reference = scene.of_reference().map_err(Unsolvable::UnknownScene)?;
+        let mut candidates = scene.cases();
+        candidates.extend(scenes_of(&reference, scene.rates));
+        Ok(Self {
+            reference,
+            until,
+            caption: scene.caption.to_owned(),
+            candidates,
+            scene: Some(scene),
+        })
+    }
+
+    fn of_entry(name: &str, until: Option<f64>) -> Result<Self, Unsolvable> {
+        let known = study::SCENES.iter().map(|scene| scene.name);
+        let entry = find(name).map_err(|unknown| {
+            let nearest = unknown.nearest.or_else(|| nearest(name, known));
+            Unsolvable::UnknownScene(UnknownModel { nearest, ..unknown })
+        })?;
+        let reference = Case::of_file(entry.catalogued);
+        let description = entry.catalogued.description;
+        let scene = description.scene;
+        let rates: Vec<f64> = named_states(&reference)
+            .filter(|(state, _)| state.unit.contains("/s"))
+            .flat_map(|(_, values)| values.to_vec())
+            .collect();
+        let mut candidates = vec![reference.clone()];
+        if let Ok(base) = find(scene.map_or(name, |scene| scene.model)) {
+            let base = whole(base.catalogued, &reference);
+            let models = CATALOGUE.iter().map(|entry| entry.catalogued);
+            let kin = models.filter(|model| are_kin(model, base.model));
+            let others = kin.filter(|model| model.description.name != name);
+            candidates.extend(others.map(|model| {
+                match model.description.name == base.model.description.name {
+                    true => base.clone(),
+                    false => {
+                        Case::with_parameters(model, base.parameters.clone()).with_rates(&rates)
+                    }
+                }
+            }));
+            let scenes = scenes_of(&base, &rates);
+            candidates.extend(scenes.filter(|case| case.model.description.name != name));
+        }
+        Ok(Self {
+            reference,
+            until: until.unwrap_or_else(|| scene.map_or(UNTIL, |scene| scene.until)),
+            caption: description
+                .doc
+                .lines()
+                .next()
+                .unwrap_or_default()
+                .trim()
+                .to_owned(),
+            candidates,
+            scene: None,
+        })
+    }
+}
+
+/// The model that a scene is of, with the parameters of the scene and those start values that it has.
+fn whole(base: &'static Catalogued, scene: &Case) -> Case {
+    let mut parameters = values::defaults(base);
+    let fixed = scene
+        .model
+        .description
+        .scene
+        .map_or(&[][..], |scene| scene.fixed);
+    let mut offset = 0;
+    for parameter in base.description.parameters {
+        let own = offset..offset + size(parameter);
+        offset = own.end;
+        if let Some(fixed) = fixed.iter().find(|fixed| fixed.name == parameter.name) {
+            parameters[own].copy_from_slice(fixed.values);
+        } else if let Some(values) = parameter_of(scene, parameter) {
+            parameters[own].copy_from_slice(values);
+        }
+    }
+    let mut case = Case::with_parameters(base, parameters);
+    let mut offset = 0;
+    for state in base.description.states {
+        let own = offset..offset + size(state);
+        offset = own.end;
+        let given = named_states(scene).find(|(other, _)| other.name == state.name);
+        if let Some((_, values)) = given.filter(|(_, values)| values.len() == own.len()) {
+            case.start[own].copy_from_slice(values);
+        }
+    }
+    case
+}
+
+/// The scenes of the models that are kin to that of `base`, those with its parameters.
+fn scenes_of<'a>(base: &'a Case, rates: &'a [f64]) -> impl Iterator<Item = Case> + 'a {
+    let scenes = SCENES.iter().map(|entry| entry.catalogued);
+    scenes.filter_map(move |model| {
+        let scene = model.description.scene?;
+        let of = find(scene.model).ok()?.catalogued;
+        let same = scene.fixed.iter().all(|fixed| {
+            let mut parameters = base.model.description.parameters.iter();
+            let parameter = parameters.find(|parameter| parameter.name == fixed.name);
+            parameter.and_then(|parameter| parameter_of(base, parameter)) == Some(fixed.values)
+        });
+        if !same || !are_kin(of, base.model) {
+            return None;
+        }
+        let own = model.description.parameters.iter();
+        let own = own.filter_map(|parameter| parameter_of(base, parameter));
+        let own: Vec<f64> = own.flatten().copied().collect();
+        Some(Case::with_parameters(model, own).with_rates(rates))
+    })
+}
+
+fn parameter_of<'a>(case: &'a Case, parameter: &Variable) -> Option<&'a [f64]> {
+    let mut offset = 0;
+    for own in case.model.description.parameters {
+        let range = offset..offset + size(own);
+        offset = range.end;
+        if own.name == parameter.name && range.len() == size(parameter) {
+            return case.parameters.get(range);
+        }
+    }
+    None
+}
+
+fn named_states(case: &Case) -> impl Iterator<Item = (&'static Variable, &[f64])> {
+    let mut rest = case.start.as_slice();
+    case.model.description.states.iter().map(move |state| {
+        let (own, others) = rest.split_at(size(state));
+        rest = others;
+        (state, own)
+    })
+}
+
+impl Problem {
+    /// The motion `given` under the name of its scene, by the `models` that are named, or by all.
+    ///
+    /// # Errors
+    /// Where a model does not take the motion, or there is no exact one to compare with.
+    pub fn new(name: &str, given: Given, models: &[String]) -> Result<Self, Unsolvable> {
+        let Given {
+            reference, until, ..
+        } = given;
+        for model in models {
+            find(model).map_err(Unsolvable::UnknownModel)?;
+        }
+        let own = reference.model.description.name;
+        let flow = reference.model.flow;
+        let flow = flow.ok_or_else(|| Unsolvable::WithoutFlow(own.to_owned()))?;
+        let here = Course::new(&reference, until);
+        let generic = given.scene.as_ref().map(study::Scene::generic);
+        let there =
+            |case: &Case| generic.map(|scene| Course::new(&scene.set(case.model), scene.until));
+        let of_reference: Vec<Course> = [Some(here), there(&reference)]
+            .into_iter()
+            .flatten()
+            .collect();
+        let mut formulations = Vec::new();
+        for case in given.candidates {
+            let model = case.model.description.name;
+            if case.model.flow.is_none() {
+                continue;
+            }
+            // A scene of the catalogue is made for one motion.
+            let is_scene = case.model.description.scene.is_some();
+            let course = Course::new(&case, until);
+            let alike = match there(&case).filter(|_| !is_scene) {
+                Some(there) => {
+                    Correspondence::new(&[&of_reference[0], &of_reference[1]], &[&course, &there])
+                }
+                None => Correspondence::new(&[&of_reference[0]], &[&course]),
+            };
+            if let (false, Ok(entry)) = (alike.pairs.is_empty(), find(model)) {
+                formulations.push(Formulation { case, entry, alike });
+            }
+        }
+        let of: Vec<&str> = formulations.iter().map(Formulation::name).collect();
+        if of.is_empty() {
+            return Err(Unsolvable::NoMotion(name.to_owned()));
+        }
+        if let Some(model) = models.iter().find(|model| !of.contains(&model.as_str())) {
+            return Err(Unsolvable::OtherMotion {
+                model: model.clone(),
+                scene: name.to_owned(),
+                of,
+            });
+        }
+        formulations
+            .retain(|of| models.is_empty() || models.iter().any(|model| model == of.name()));
+        let (exact, source) = exact(&reference, flow, until, given.scene.as_ref())?;
+        let scales = of_reference[0].scales();
+        let piece = Piece::new(&reference, &exact.state, until, scales);
+        Ok(Self {
+            name: name.to_owned(),
+            caption: given.caption,
+            until,
+            source,
+            piece: piece.ok_or_else(|| Unsolvable::NoMotion(name.to_owned()))?,
+            exact,
+            reference,
+            formulations,
+        })
+    }
+}
+
+impl Formulation {
+    /// The name of the model.
+    pub fn name(&self) -> &'static str {
+        self.case.model.description.name
+    }
+}
+
+/// The exact state of the reference: that of the study's scene where it has one, else by its own flow with twice the
+/// digits.
+fn exact(
+    reference: &Case,
+    flow: &dyn AnyFlow,
+    until: f64,
+    scene: Option<&study::Scene>,
+) -> Result<(Reference, &'static str), Unsolvable> {
+    if let Some(scene) = scene.filter(|scene| scene.system == study::System::Planar) {
+        let state = scene.exact_end(reference).map_err(Unsolvable::Invalid)?;
+        let error = f64::EPSILON / 2.0;
+        return Ok((Reference { state, error }, "elliptic functions"));
+    }
+    let name = reference.model.description.name;
+    let extended = find(name).ok().and_then(|entry| entry.extended);
+    let extended = extended.ok_or_else(|| Unsolvable::WithoutFlow(name.to_owned()))?;
+    let longest = LONGEST / fastest(reference, flow, until);
+    let Case {
+        parameters, start, ..
+    } = reference;
+    let exact = extended.solve(parameters, start, until, longest.min(until));
+    let exact = exact.map_err(Unsolvable::Invalid)?;
+    Ok((exact, "extrapolation with 31 digits"))
+}
+
+/// The largest change of a variable per time, relative to its largest size, 1/s.
+fn fastest(case: &Case, flow: &dyn AnyFlow, until: f64) -> f64 {
+    let (steps, looks) = LOOKS;
+    let mut run = case.run(until / steps as f64, steps);
+    run.every = steps / looks;
+    let mut states = Vec::new();
+    // A run that breaks off tells about its beginning.
+    let _ = flow.simulate(&run, &mut |sample: Sample<'_>| {
+        states.push((sample.t, sample.state.to_vec()));
+        ControlFlow::Continue(())
+    });
+    let mut rates = vec![0.0; case.start.len()];
+    let rates: Vec<Vec<f64>> = states
+        .iter()
+        .map(|(t, state)| {
+            flow.flow(&case.parameters, *t, state, &mut rates);
+            rates.clone()
+        })
+        .collect();
+    let mut fastest = 1.0 / until;
+    let mut offset = 0;
+    for state in case.model.description.states {
+        let own = offset..offset + size(state);
+        offset = own.end;
+        let sizes = states
+            .iter()
+            .map(|(_, state)| largest_size(&state[own.clone()]));
+        let changes = rates.iter().map(|rates| largest_size(&rates[own.clone()]));
+        let (size, change) = (sizes.fold(0.0, f64::max), changes.fold(0.0, f64::max));
+        if size > 0.0 && (change / size).is_finite() {
+            fastest = f64::max(fastest, change / size);
+        }
+    }
+    fastest
+}
+
+impl fmt::Display for Unsolvable {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::UnknownScene(unknown) => {
+                write!(f, "there is no scene or model `{}`", unknown.name)
+            }
+            Self::UnknownModel(unknown) => unknown.fmt(f),
+            Self::WithoutFlow(name) => {
+                write!(f, "`{name}` has no continuous equations to be exact about")
+            }
+            Self::OtherMotion { model, scene, of } => write!(
+                f,
+                "`{model}` does not take the motion of `{scene}`, only {}",
+                of.join(", ")
+            ),
+            Self::NoMotion(name) => {
+                write!(f, "nothing moves in `{name}`, or it cannot be followed")
+            }
+            Self::Invalid(invalid) => invalid.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for Unsolvable {}

@@ -1,0 +1,41 @@
+//! What to use for an error.
+
+use super::row::Kind;
+use super::row::Row;
+
+/// Errors that a verdict is passed on.
+pub const LEVELS: [f64; 5] = [1e-3, 1e-6, 1e-9, 1e-11, 1e-12];
+
+/// The fastest runs that are at least so exact.
+#[derive(Clone, Copy, Debug)]
+pub struct Verdict<'r> {
+    /// The error.
+    pub level: f64,
+    /// Ours.
+    pub ours: Option<&'r Row>,
+    /// The fastest of all others.
+    pub rival: Option<&'r Row>,
+}
+
+/// A verdict per error of `levels`. `rows` are in the order of their ladders, coarsest first.
+pub fn verdicts<'r>(rows: &'r [Row], kind: Kind, levels: &[f64]) -> Vec<Verdict<'r>> {
+    let fastest = |level: f64, ours: bool| {
+        let own = (0..rows.len()).filter(|&i| rows[i].is_ours() == ours);
+        let exact = own.filter(|&i| is_exact(rows, i, kind, level));
+        let exact = exact.map(|i| &rows[i]);
+        exact.min_by(|a, b| a.seconds.total_cmp(&b.seconds))
+    };
+    let verdict = |&level: &f64| Verdict {
+        level,
+        ours: fastest(level, true),
+        rival: fastest(level, false),
+    };
+    levels.iter().map(verdict).collect()
+}
+
+/// The row is so exact, and not by luck: the next finer one is too. A NaN is neither.
+fn is_exact(rows: &[Row], i: usize, kind: Kind, level: f64) -> bool {
+    let finer = rows.get(i + 1).filter(|row| row.is_of_lane(&rows[i]));
+    let is_exact = |row: &Row| row.error(kind) <= level;
+    rows[i].seconds.is_finite() && is_exact(&rows[i]) && finer.is_none_or(is_exact)
+}
