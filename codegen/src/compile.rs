@@ -48,7 +48,9 @@ use crate::system::Core;
 use crate::system::Discrete;
 use crate::system::Entry;
 use crate::system::Equations;
+use crate::system::Series;
 use crate::system::System;
+use crate::taylor::taylor;
 use proc_macro2::Span;
 use proc_macro2::TokenStream;
 
@@ -81,7 +83,10 @@ fn quiet(name: &str, tokens: TokenStream) -> TokenStream {
         .iter()
         .map(|&form| Ok(discrete(&model, form, &typical)?.0));
     match systems.collect::<Result<Vec<System>, Errors>>() {
-        Ok(systems) => stub(&model, &program(&equations, &systems)),
+        Ok(systems) => {
+            let series = series(&model, &equations);
+            stub(&model, &program(&equations, &systems, series))
+        }
         Err(_) => TokenStream::new(),
     }
 }
@@ -92,7 +97,8 @@ fn quiet(name: &str, tokens: TokenStream) -> TokenStream {
 /// All mistakes of the first stage that finds any.
 pub fn compile(name: &str, tokens: TokenStream) -> Result<TokenStream, Errors> {
     let analysis = analyse(name, tokens)?;
-    let program = program(&analysis.equations, &analysis.systems);
+    let series = series(&analysis.model, &analysis.equations);
+    let program = program(&analysis.equations, &analysis.systems, series);
     Ok(emit(&analysis.model, &program, &analysis.findings, None))
 }
 
@@ -242,6 +248,12 @@ fn continuous(model: &Model) -> Result<(Equations, Vec<Option<Finding>>), Errors
         flow,
     };
     Ok((equations, findings))
+}
+
+/// The Taylor series of the flow, if there is a flow, or why it has none.
+fn series(model: &Model, equations: &Equations) -> Option<Result<Series, String>> {
+    let rates = equations.flow.as_ref()?;
+    Some(taylor(&equations.dag, rates, model.n_states()))
 }
 
 fn discrete(

@@ -11,6 +11,7 @@
 //! | [`differentiate`] | residuals | Jacobian entries | exact, structural non-zeros only |
 //! | [`structure`] | residuals, entries | [`system::System`] | solvable, in block order |
 //! | [`eliminate`] | `System` | [`system::Reduced`] | what is iterated on is as small as it can be |
+//! | [`taylor`] | rates | [`system::Series`] | recurrences for Taylor coefficients |
 //! | [`stage`] | `System` | [`schedule::Schedule`] | each value at its rate |
 //! | [`emit`] | `Schedule` | Rust | |
 //!
@@ -51,6 +52,7 @@ pub mod specialise;
 pub mod stage;
 pub mod structure;
 pub mod system;
+pub mod taylor;
 pub mod unit;
 
 pub use compile::Analysis;

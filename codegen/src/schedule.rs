@@ -128,8 +128,32 @@ pub struct Program {
     pub outputs: Schedule,
     /// Kernel `flow`, if the model has one.
     pub flow: Option<Schedule>,
+    /// Its Taylor series, or why it has none.
+    pub series: Option<Result<Expansion, String>>,
     /// One per form.
     pub solvers: Vec<Solver>,
+}
+
+/// Recurrences for Taylor coefficients at their rates: what is of order 0 is of rate Step.
+#[derive(Clone, Debug)]
+pub struct Expansion {
+    /// Kernels `rates` and `starts`, of order 0, `factors` and `next`, of order n: the rates, and aₙ and then bₙ of each
+    /// product, and of each inner sum, in full rows.
+    pub schedule: Schedule,
+    /// Inner sums.
+    pub n_sums: usize,
+    /// Products.
+    pub n_products: usize,
+}
+
+impl Expansion {
+    /// Lanes that stand in one row.
+    pub const ROW: usize = 4;
+
+    /// Rows that so many lanes fill, with zeros at the end.
+    pub fn rows(n_lanes: usize) -> usize {
+        n_lanes.div_ceil(Self::ROW)
+    }
 }
 
 /// As derived, but for numbers, of which the hash of a [`BigRational`] takes a continued fraction: they are in lowest

@@ -11,6 +11,7 @@
 //!                        iteration: c · x / y
 //! ```
 
+mod balance;
 mod order;
 mod share;
 mod split;
@@ -22,13 +23,23 @@ mod tests;
 use crate::dag::Dag;
 use crate::dag::NodeId;
 use crate::dag::Rate;
+use crate::schedule::Expansion;
 use crate::schedule::Program;
 use crate::schedule::Schedule;
 use crate::schedule::Solver;
 use crate::system::Core;
 use crate::system::Entry;
 use crate::system::Equations;
+use crate::system::Series;
 use crate::system::System;
+use split::Rooted;
+use values::Values;
+
+/// Cycles until newest coefficients are there, counted from their rates.
+const NEWEST: u32 = 4;
+
+/// The same for a product of them: two sums of products and a way into lanes and out.
+const PRODUCT: u32 = 20;
 
 /// A function wanted from a graph: its name, when it is called, and its results.
 pub type Wanted = (&'static str, Rate, Vec<NodeId>);
@@ -38,17 +49,27 @@ pub type Wanted = (&'static str, Rate, Vec<NodeId>);
 /// A kernel finds slower values in the caches that the kernels `scene` and `step` fill, and computes
 /// those of its own rate. No root may be faster than its kernel.
 pub fn stage(dag: &Dag, kernels: &[Wanted]) -> Schedule {
-    let (mut values, roots) = split::split(dag, kernels);
-    share::reciprocals(&mut values);
-    share::pairs(&mut values);
-    share::signs(&mut values, &roots);
+    let (values, roots) = shared(dag, kernels);
     let schedule = order::order(values, &roots);
     debug_assert_eq!(schedule.verify(), Ok(()));
     schedule
 }
 
+/// What is wanted, split by rate, and what is common computed once.
+fn shared(dag: &Dag, kernels: &[Wanted]) -> (Values, Vec<Rooted>) {
+    let (mut values, roots) = split::split(dag, kernels);
+    share::reciprocals(&mut values);
+    share::pairs(&mut values);
+    share::signs(&mut values, &roots);
+    (values, roots)
+}
+
 /// The schedules of a whole model.
-pub fn program(equations: &Equations, systems: &[System]) -> Program {
+pub fn program(
+    equations: &Equations,
+    systems: &[System],
+    series: Option<Result<Series, String>>,
+) -> Program {
     let one = |name, rate, roots: &[NodeId]| stage(&equations.dag, &[(name, rate, roots.to_vec())]);
     Program {
         defaults: one("defaults", Rate::Scene, &equations.defaults),
@@ -58,8 +79,45 @@ pub fn program(equations: &Equations, systems: &[System]) -> Program {
             .flow
             .as_ref()
             .map(|roots| one("flow", Rate::Step, roots)),
+        series: series.map(|series| Ok(expansion(&series?))),
         solvers: systems.iter().map(solver).collect(),
     }
+}
+
+fn expansion(series: &Series) -> Expansion {
+    let next = series.coefficients.iter().copied();
+    let next = next.chain(rows(&series.sums, series.zero)).collect();
+    let kernels = [
+        ("rates", Rate::Iteration, series.rates.clone()),
+        ("starts", Rate::Iteration, rows(&series.starts, series.zero)),
+        ("factors", Rate::Iteration, rows(&series.products, series.zero)),
+        ("next", Rate::Iteration, next),
+    ];
+    let (mut values, roots) = shared(&series.dag, &kernels);
+    let n_states = series.coefficients.len();
+    let arrival = |i: usize| match i.checked_sub(n_states + Series::GIVEN) {
+        None => NEWEST,
+        Some(lane) if lane % 2 == 1 => PRODUCT,
+        Some(_) => 0,
+    };
+    balance::balance(&mut values, &roots, arrival);
+    let schedule = order::order(values, &roots);
+    debug_assert_eq!(schedule.verify(), Ok(()));
+    Expansion {
+        schedule,
+        n_sums: series.sums.len(),
+        n_products: series.products.len(),
+    }
+}
+
+/// First the left and then the right side of `lanes`, each in full rows.
+fn rows(lanes: &[[NodeId; 2]], zero: NodeId) -> Vec<NodeId> {
+    let filling = Expansion::rows(lanes.len()) * Expansion::ROW - lanes.len();
+    let side = |side: usize| {
+        let own = lanes.iter().map(move |lane| lane[side]);
+        own.chain(std::iter::repeat_n(zero, filling))
+    };
+    side(0).chain(side(1)).collect()
 }
 
 fn solver(system: &System) -> Solver {

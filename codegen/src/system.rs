@@ -2,6 +2,7 @@
 
 use crate::ast::Form;
 use crate::dag::Dag;
+use crate::dag::Leaf;
 use crate::dag::NodeId;
 use crate::model::Shape;
 
@@ -169,4 +170,56 @@ pub struct Equations {
     pub outputs: Vec<NodeId>,
     /// dx/dt of each state component, if the model has a flow.
     pub flow: Option<Vec<NodeId>>,
+}
+
+/// Recurrences for the Taylor coefficients of a motion.
+///
+/// The unknowns of its graph are, in this order: the coefficients of order n of the state, those of t, n itself, 1/n, and
+/// in turns an inner sum Σ aⱼ bₙ₋ⱼ, 0 < j < n, and a product Σ aⱼ bₙ₋ⱼ, 0 ≤ j ≤ n, of quantities that need none of both.
+#[derive(Clone, Debug)]
+pub struct Series {
+    /// All nodes.
+    pub dag: Dag,
+    /// dx/dt of each state component, of order 0.
+    pub rates: Vec<NodeId>,
+    /// Its coefficient of order n.
+    pub coefficients: Vec<NodeId>,
+    /// aₙ and bₙ of each inner sum.
+    pub sums: Vec<[NodeId; 2]>,
+    /// aₙ and bₙ of each product.
+    pub products: Vec<[NodeId; 2]>,
+    /// a₀ and b₀ of each product.
+    pub starts: Vec<[NodeId; 2]>,
+    /// The number 0.
+    pub zero: NodeId,
+}
+
+impl Series {
+    /// Unknowns that are no component of the state: t, n, 1/n.
+    pub const GIVEN: usize = 3;
+
+    /// The coefficient of order n of t.
+    pub fn time(n_states: usize) -> Leaf {
+        Leaf::Unknown(n_states)
+    }
+
+    /// n
+    pub fn order(n_states: usize) -> Leaf {
+        Leaf::Unknown(n_states + 1)
+    }
+
+    /// 1/n
+    pub fn inverse_order(n_states: usize) -> Leaf {
+        Leaf::Unknown(n_states + 2)
+    }
+
+    /// An inner sum.
+    pub fn sum(n_states: usize, lane: usize) -> usize {
+        n_states + Self::GIVEN + 2 * lane
+    }
+
+    /// A product.
+    pub fn product(n_states: usize, lane: usize) -> usize {
+        n_states + Self::GIVEN + 2 * lane + 1
+    }
 }

@@ -21,6 +21,8 @@ pub struct Description {
     pub claims: &'static [Claim],
     /// It has continuous equations.
     pub has_flow: bool,
+    /// Why they have no Taylor series, if they have none.
+    pub no_series: Option<&'static str>,
     /// Operation counts of what belongs to no solver: outputs, flow.
     pub counts: &'static [(&'static str, Count)],
     /// The scene that it was made for, if it was made for one.

@@ -6,6 +6,8 @@
 
 mod flow;
 mod model;
+mod series;
+mod scheme;
 mod simulate;
 mod solver;
 
@@ -13,6 +15,9 @@ pub use flow::AnyFlow;
 pub use flow::ErasedFlow;
 pub use model::AnyModel;
 pub use model::ErasedModel;
+pub use series::AnySeries;
+pub use series::ErasedSeries;
+pub use scheme::Scheme;
 pub use simulate::Observer;
 pub use simulate::Run;
 pub use simulate::Sample;
@@ -39,6 +44,8 @@ pub struct Catalogued {
     pub solvers: &'static [&'static dyn AnySolver],
     /// The continuous equations, if the file has them.
     pub flow: Option<&'static dyn AnyFlow>,
+    /// Their Taylor series, if the generator has found recurrences for all that is in them.
+    pub series: Option<&'static dyn AnySeries>,
 }
 
 impl Catalogued {
@@ -50,6 +57,7 @@ impl Catalogued {
             model: &model::Stub,
             solvers: &[],
             flow: None,
+            series: None,
         }
     }
 }
@@ -63,6 +71,7 @@ static NOTHING: Description = Description {
     solvers: &[],
     claims: &[],
     has_flow: false,
+    no_series: None,
     counts: &[],
     scene: None,
 };

@@ -20,6 +20,10 @@ pub enum Failure {
     Singular,
     /// NaN or infinity in a residual, an unknown or the state after the step.
     NotFinite,
+    /// The stages of a scheme could not be solved for.
+    Stages,
+    /// A step within the tolerance would be too short to change the time.
+    StepTooSmall,
 }
 
 /// Where a step failed, by position in a flat array.
@@ -70,6 +74,12 @@ impl fmt::Display for StepError {
             Failure::Diverged => "Newton diverged",
             Failure::Stalled => "Newton stalled",
             Failure::Singular => "the Jacobian became singular",
+            Failure::Stages => {
+                return f.write_str("the stages of the scheme could not be solved for; a shorter step may do");
+            }
+            Failure::StepTooSmall => {
+                return write!(f, "steps of {value:.1e} miss the tolerance, and shorter ones would not change the time");
+            }
             Failure::NotFinite => {
                 self.write_place(f)?;
                 let comma = match self.fault.place {

@@ -1,5 +1,6 @@
 //! The traits that generated code implements.
 
+use crate::convolution::Rows;
 use crate::description::Description;
 use crate::description::Unknown;
 use crate::scalar::Scalar;
@@ -59,6 +60,53 @@ pub trait Flow<T: Scalar>: Model<T> {
         t: T,
         x: &<Self::State as Record<T>>::Array,
     ) -> <Self::State as Record<T>>::Array;
+}
+
+/// A flow with recurrences for the Taylor coefficients of its motions. Implemented by the generated `Model` where every
+/// function in its flow has one.
+///
+/// Along a motion, every quantity is a series a = Σ aₙ sⁿ in the time s since the start of a step, in units that the run
+/// chooses. All that recurrences sum over are products Σ aⱼ bₙ₋ⱼ, either whole, 0 ≤ j ≤ n, or inner sums, 0 < j < n, which
+/// hold no coefficient of order n. They need nothing from one another, so that they can be made as lanes.
+pub trait Series<T: Scalar>: Flow<T> {
+    /// What depends on the parameters only, computed once per run.
+    type Scene: Copy;
+    /// What depends on the start of a step only: order 0.
+    type Base: Copy;
+    /// One for each inner sum, and zeros to fill the last row.
+    type Sums: Rows<T>;
+    /// One for each product, and zeros to fill the last row.
+    type Products: Rows<T>;
+    /// Zero for each.
+    fn zeros() -> (Self::Sums, Self::Products);
+    /// Computes the scene cache.
+    fn scene(parameters: &Self::Parameters) -> Self::Scene;
+    /// Order 0 at time `t` and state `x`.
+    fn base(
+        scene: &Self::Scene,
+        t: T,
+        x: &<Self::State as Record<T>>::Array,
+    ) -> <Self as Series<T>>::Base;
+    /// dx/dt of order 0.
+    fn rates(scene: &Self::Scene, base: &Self::Base) -> <Self::State as Record<T>>::Array;
+    /// a₀ and b₀ of each product.
+    fn starts(scene: &Self::Scene, base: &Self::Base) -> [Self::Products; 2];
+    /// aₙ and bₙ of each product, from the state of order n and \[tₙ, n, 1/n\].
+    fn factors(
+        scene: &Self::Scene,
+        base: &Self::Base,
+        newest: &<Self::State as Record<T>>::Array,
+        order: &[T; 3],
+    ) -> [Self::Products; 2];
+    /// dx/dt of order n, and aₙ and bₙ of each inner sum, from the same, the products and the inner sums of order n.
+    fn next(
+        scene: &Self::Scene,
+        base: &Self::Base,
+        newest: &<Self::State as Record<T>>::Array,
+        order: &[T; 3],
+        products: &Self::Products,
+        sums: &Self::Sums,
+    ) -> (<Self::State as Record<T>>::Array, [Self::Sums; 2]);
 }
 
 /// Shorthand for the flat array behind the state of `S`.

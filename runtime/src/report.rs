@@ -33,7 +33,7 @@ impl Report {
 pub struct Statistics {
     /// Accepted steps.
     pub steps: u64,
-    /// Newton corrections applied, each of one residual, one Jacobian and one linear system.
+    /// Newton corrections applied, or sweeps over the stages of a scheme.
     pub iterations: u64,
     /// Residuals evaluated besides, to judge a correction.
     pub residuals: u64,
@@ -41,6 +41,10 @@ pub struct Statistics {
     pub flows: u64,
     /// Steps for which the core failed or could not be trusted, so that all unknowns were iterated on.
     pub fallbacks: u64,
+    /// Steps that a step-size control has taken, of which outputs are interpolated.
+    pub accepted: u64,
+    /// Steps that it has tried in vain.
+    pub rejected: u64,
 }
 
 /// Corrections that a [`History`] keeps.

@@ -1,5 +1,6 @@
 //! The implicit stepper: one Newton solve per step.
 
+use crate::compensated::compensated_sums;
 use crate::description;
 use crate::error::Failure;
 use crate::error::Fault;
@@ -81,8 +82,7 @@ impl<S: Correctable<T>, T: Real> Solver<S, T> {
             return Err(self.newton.fault(Failure::Singular));
         }
         let (next, lost_then) = self.after(&step, state, &x, lost);
-        require_finite(&next)?;
-        (*state, *lost) = (next, lost_then);
+        (*state, *lost) = (require_finite(next)?, lost_then);
         Ok(report)
     }
 
@@ -129,7 +129,7 @@ impl<S: Correctable<T>, T: Real> Solver<S, T> {
     ) -> (StateArray<S, T>, StateArray<S, T>) {
         if S::HAS_CHANGE && self.newton.settings.compensated {
             let change = S::change(&self.scene, step, x);
-            return compensated_sum(state, &change, lost);
+            return compensated_sums(state, &change, lost);
         }
         (S::next(&self.scene, step, x), *lost)
     }
@@ -230,25 +230,6 @@ impl<S: Solvable<T>, T: Real> Implicit<S, T> {
         self.fell_back = true;
         self.full.advance(t, state, &mut self.lost, statistics)
     }
-}
-
-/// state + (change + lost) rounded, and what the rounding lost (Møller 1965; the error-free sum of Knuth,
-/// *The Art of Computer Programming* 2, 4.2.2, theorem B): the error of many sums is that of one.
-#[inline]
-fn compensated_sum<T: Real, X: AsRef<[T]> + AsMut<[T]> + Copy>(
-    state: &X,
-    change: &X,
-    lost: &X,
-) -> (X, X) {
-    let (mut sums, mut errors) = (*state, *lost);
-    let results = sums.as_mut().iter_mut().zip(errors.as_mut());
-    for ((sum, error), change) in results.zip(change.as_ref()) {
-        let (x, y) = (*sum, *change + *error);
-        *sum = x + y;
-        let part = *sum - x;
-        *error = (x - (*sum - part)) + (y - part);
-    }
-    (sums, errors)
 }
 
 #[cfg(test)]

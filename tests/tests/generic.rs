@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 use residua::Strategy;
-use residua::erased::{AnySolver, Catalogued};
+use residua::erased::{AnySolver, Catalogued, Scheme};
 use residua_models::CATALOGUE;
 use residua_models::columns::total;
 use residua_tests::case::Case;
@@ -273,7 +273,7 @@ fn steps_converge_to_the_flow() {
         let mut points = Points::new(6);
         let case = Case::varied(model, &mut points).kicked(&mut points);
         let mut truth = Vec::new();
-        flow.simulate(&case.run(0.5 / 4000.0, 4000, 0), &mut |sample| {
+        flow.simulate(Scheme::RungeKutta4, &case.run(0.5 / 4000.0, 4000, 0), &mut |sample| {
             truth = sample.state.to_vec();
             ControlFlow::Continue(())
         })

@@ -192,7 +192,7 @@ fn flows_meet_the_reference() {
         let case = case(model, &scene);
         let flow = case.model.flow.expect("has a flow");
         let mut last = Vec::new();
-        flow.simulate(&case.run(0.001, 10_000, 0), &mut |sample| {
+        flow.simulate(residua::erased::Scheme::RungeKutta4, &case.run(0.001, 10_000, 0), &mut |sample| {
             last = sample.state.to_vec();
             ControlFlow::Continue(())
         })

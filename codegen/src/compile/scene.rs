@@ -4,6 +4,7 @@ use super::Quantity;
 use super::continuous;
 use super::declared;
 use super::quiet;
+use super::series;
 use super::system;
 use crate::ast::Ast;
 use crate::ast::Expression;
@@ -69,7 +70,8 @@ pub fn compile_scene(
     read: ReadModel,
 ) -> Result<TokenStream, Errors> {
     let scene = analyse_scene(name, tokens, read)?;
-    let program = program(&scene.equations, &[scene.system]);
+    let series = series(&scene.model, &scene.equations);
+    let program = program(&scene.equations, &[scene.system], series);
     Ok(emit(&scene.model, &program, &[], Some(&scene.receipt)))
 }
 

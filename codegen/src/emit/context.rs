@@ -8,15 +8,16 @@ use super::scope::identifier;
 use super::statements::Statements;
 use super::statements::write;
 use super::variables::Variables;
-use crate::ast::Form;
 use crate::dag::Leaf;
 use crate::dag::Rate;
 use crate::model::Model;
 use crate::schedule::Count;
+use crate::schedule::Expansion;
 use crate::schedule::Kernel;
 use crate::schedule::Schedule;
 use crate::schedule::Solver;
 use crate::schedule::ValueId;
+use crate::system::Series;
 use proc_macro2::Ident;
 use proc_macro2::TokenStream;
 use quote::ToTokens;
@@ -30,7 +31,13 @@ pub(super) struct Context<'a> {
     names: Names,
     pub(super) scene: Cache,
     pub(super) step: Cache,
-    unknowns: &'a [usize],
+    unknowns: Vec<Group>,
+}
+
+/// Some unknowns, and the array that holds them.
+struct Group {
+    argument: &'static str,
+    unknowns: Vec<usize>,
 }
 
 /// The body of a function.
@@ -58,21 +65,42 @@ impl Body {
 impl<'a> Context<'a> {
     /// A schedule without unknowns.
     pub(super) fn new(model: &'a Model, schedule: &'a Schedule) -> Self {
-        Self::with_unknowns(model, None, schedule, &[])
+        Self::with_unknowns(model, &Variables::new(model, None), schedule, Vec::new())
     }
 
     /// The schedule of a solver.
     pub(super) fn of_solver(model: &'a Model, solver: &'a Solver) -> Self {
-        Self::with_unknowns(model, Some(solver.form), &solver.schedule, &solver.unknowns)
+        let unknowns = Group {
+            argument: "unknowns",
+            unknowns: solver.unknowns.clone(),
+        };
+        let variables = Variables::new(model, Some(solver.form));
+        Self::with_unknowns(model, &variables, &solver.schedule, vec![unknowns])
+    }
+
+    /// The schedule of Taylor coefficients.
+    pub(super) fn of_series(model: &'a Model, expansion: &'a Expansion) -> Self {
+        let n = model.n_states();
+        let sums = 0..expansion.n_sums;
+        let products = 0..expansion.n_products;
+        let group = |argument, unknowns| Group { argument, unknowns };
+        let groups = vec![
+            group("newest", (0..n).collect()),
+            group("order", (n..n + Series::GIVEN).collect()),
+            group("sums", sums.map(|lane| Series::sum(n, lane)).collect()),
+            group("products", products.map(|lane| Series::product(n, lane)).collect()),
+        ];
+        let variables = Variables::of_series(model, expansion);
+        Self::with_unknowns(model, &variables, &expansion.schedule, groups)
     }
 
     fn with_unknowns(
         model: &'a Model,
-        form: Option<Form>,
+        variables: &Variables,
         schedule: &'a Schedule,
-        unknowns: &'a [usize],
+        unknowns: Vec<Group>,
     ) -> Self {
-        let mut names = Names::new(schedule, &Variables::new(model, form));
+        let mut names = Names::new(schedule, variables);
         Self {
             model,
             schedule,
@@ -173,7 +201,6 @@ impl<'a> Context<'a> {
             record.pattern(&quote!(super::#path), |i| name(leaf(i)))
         };
         let states = (0..state.len()).map(|i| name(Leaf::State(i)));
-        let unknowns = self.unknowns.iter().map(|&i| name(Leaf::Unknown(i)));
         let patterns = [
             ("parameters", record(&parameters, Leaf::Parameter)),
             ("scene", self.scene.pattern(|v| read.cached.contains(&v))),
@@ -186,10 +213,17 @@ impl<'a> Context<'a> {
                     array(states.collect())
                 },
             ),
-            ("unknowns", array(unknowns.collect())),
         ];
+        let groups = self.unknowns.iter().map(|group| {
+            let unknowns = group.unknowns.iter().map(|&i| name(Leaf::Unknown(i)));
+            let pattern = match group.argument {
+                "sums" | "products" => rows(unknowns.collect()),
+                _ => array(unknowns.collect()),
+            };
+            (group.argument, pattern)
+        });
         let mut inputs = TokenStream::new();
-        for (argument, pattern) in patterns {
+        for (argument, pattern) in patterns.into_iter().chain(groups) {
             if let Some(pattern) = pattern {
                 let source = identifier(argument);
                 used.insert(argument);
@@ -235,6 +269,17 @@ fn array(components: Vec<Option<TokenStream>>) -> Option<TokenStream> {
     let is_wanted = components.iter().any(Option::is_some);
     let components = components.into_iter().map(|c| c.unwrap_or(quote!(_)));
     is_wanted.then(|| quote!([#(#components),*]))
+}
+
+/// `[[a, _, …], [c, …]]` in full rows with what is wanted, if anything is.
+fn rows(mut components: Vec<Option<TokenStream>>) -> Option<TokenStream> {
+    components.resize(components.len().next_multiple_of(Expansion::ROW), None);
+    let is_wanted = components.iter().any(Option::is_some);
+    let rows = components.chunks(Expansion::ROW).map(|row| {
+        let row = row.iter().map(|c| c.clone().unwrap_or(quote!(_)));
+        quote!([#(#row),*])
+    });
+    is_wanted.then(|| quote!([#(#rows),*]))
 }
 
 /// `12 additions, 1 call`

@@ -44,6 +44,11 @@ pub(super) fn emit(
     let solvers = program.solvers.iter().map(|s| solver(model, s));
     let claims = findings.iter().map(claim);
     let has_flow = program.flow.is_some();
+    let series = program.series.as_ref();
+    let no_series = match series {
+        Some(Err(reason)) => quote!(::core::option::Option::Some(#reason)),
+        Some(Ok(_)) | None => quote!(::core::option::Option::None),
+    };
     let counts = std::iter::once(&program.outputs).chain(&program.flow);
     let counts = counts.flat_map(self::counts);
     let scene = match receipt {
@@ -61,6 +66,7 @@ pub(super) fn emit(
             solvers: &[#(#solvers),*],
             claims: &[#(#claims),*],
             has_flow: #has_flow,
+            no_series: #no_series,
             counts: &[#(#counts),*],
             scene: #scene,
         };
@@ -79,6 +85,12 @@ pub(super) fn catalogued(program: &Program) -> TokenStream {
         )),
         None => quote!(::core::option::Option::None),
     };
+    let series = match program.series {
+        Some(Ok(_)) => quote!(::core::option::Option::Some(
+            &::residua::erased::ErasedSeries::<Model>::NEW
+        )),
+        Some(Err(_)) | None => quote!(::core::option::Option::None),
+    };
     quote! {
         /// The model behind one face, for programs that pick models at run time.
         pub static MODEL: ::residua::Catalogued = ::residua::Catalogued {
@@ -86,6 +98,7 @@ pub(super) fn catalogued(program: &Program) -> TokenStream {
             model: &::residua::erased::ErasedModel::<Model>::NEW,
             solvers: &[#(#solvers),*],
             flow: #flow,
+            series: #series,
         };
     }
 }

@@ -40,6 +40,7 @@ pub(super) fn emit(model: &Model, schedule: &Schedule) -> TokenStream {
                 }
 
                 #[doc = #doc]
+                #[inline(always)]
                 fn flow(#cached: &#scene_type, #t: T, #state: &[T; #n]) -> [T; #n] {
                     #flow_tokens
                     [#(#rates),*]

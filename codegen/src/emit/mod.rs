@@ -16,6 +16,7 @@ mod number;
 mod phrase;
 mod record;
 mod scope;
+mod series;
 mod solver;
 mod statements;
 mod variables;
@@ -62,6 +63,10 @@ fn items(
         .flow
         .as_ref()
         .map(|schedule| flow::emit(model, schedule));
+    let series = match &program.series {
+        Some(Ok(expansion)) => Some(series::emit(model, expansion)),
+        Some(Err(_)) | None => None,
+    };
     let solvers = program.solvers.iter().enumerate();
     let solvers = solvers.map(|(i, solver)| solver::emit(model, solver, i));
     let description = description::emit(model, program, findings, receipt);
@@ -69,6 +74,7 @@ fn items(
         #(#records)*
         #implementation
         #flow
+        #series
         #(#solvers)*
         #description
     }

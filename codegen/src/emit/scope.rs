@@ -26,6 +26,10 @@ const ARGUMENTS: &[&str] = &[
     "scene",
     "step",
     "unknowns",
+    "newest",
+    "order",
+    "sums",
+    "products",
     "residual",
     "jacobian",
 ];

@@ -5,6 +5,7 @@ use crate::ast::Form;
 use crate::dag::Leaf;
 use crate::model::Model;
 use crate::model::Solved;
+use crate::schedule::Expansion;
 
 /// Names of all leaves of one model and form.
 pub(super) struct Variables {
@@ -48,6 +49,18 @@ impl Variables {
             variables.unknowns.push(name);
             variables.advanced.push(advanced);
         }
+        variables
+    }
+
+    /// The inputs of recurrences.
+    pub(super) fn of_series(model: &Model, expansion: &Expansion) -> Self {
+        let mut variables = Self::new(model, None);
+        let newest = variables.states.iter().map(|name| format!("{name}_n"));
+        let given = ["t_n", "n", "inverse_n"].map(str::to_owned);
+        let lanes = 1..=expansion.n_sums.max(expansion.n_products);
+        let lanes = lanes.flat_map(|lane| [format!("sum_{lane}"), format!("product_{lane}")]);
+        variables.unknowns = newest.chain(given).chain(lanes).collect();
+        variables.advanced = vec![None; variables.unknowns.len()];
         variables
     }
 

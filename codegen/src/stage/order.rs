@@ -105,7 +105,7 @@ fn looked_up(list: &[Value], kernels: &[Kernel], rate: Rate) -> Vec<ValueId> {
 
 /// The values that `roots` need among those that `is_wanted` accepts, operands first, each as late
 /// as possible.
-fn postorder(
+pub(super) fn postorder(
     list: &[Value],
     roots: &[ValueId],
     is_wanted: impl Fn(ValueId) -> bool,

@@ -21,6 +21,7 @@ use residua::Catalogued;
 use residua::description::Variable;
 use residua::erased::AnyFlow;
 use residua::erased::Sample;
+use residua::erased::Scheme;
 use std::fmt;
 use std::ops::ControlFlow;
 
@@ -358,7 +359,7 @@ fn fastest(case: &Case, flow: &dyn AnyFlow, until: f64) -> f64 {
     run.every = steps / looks;
     let mut states = Vec::new();
     // A run that breaks off tells about its beginning.
-    let _ = flow.simulate(&run, &mut |sample: Sample<'_>| {
+    let _ = flow.simulate(Scheme::RungeKutta4, &run, &mut |sample: Sample<'_>| {
         states.push((sample.t, sample.state.to_vec()));
         ControlFlow::Continue(())
     });

@@ -12,6 +12,7 @@ use indicatif::ProgressBar;
 use residua::Catalogued;
 use residua::Settings;
 use residua::erased::Run;
+use residua::erased::Scheme;
 use residua::erased::Sample;
 use std::fmt;
 use std::ops::ControlFlow;
@@ -155,7 +156,7 @@ impl Wanted {
             }
             Method::RungeKutta4 => {
                 let flow = model.flow.ok_or(RunError::Flow(*self))?;
-                flow.simulate(&run, &mut observer)
+                flow.simulate(Scheme::RungeKutta4, &run, &mut observer)
             }
         };
         match outcome {

@@ -4,6 +4,7 @@ use residua::Catalogued;
 use residua::RunError;
 use residua::Statistics;
 use residua::erased::AnyFlow;
+use residua::erased::Scheme;
 use residua::erased::AnySolver;
 use residua::erased::Observer;
 use residua::erased::Run;
@@ -47,7 +48,7 @@ impl Method {
     pub fn simulate(self, run: &Run, observer: &mut Observer) -> Result<Statistics, RunError> {
         match self {
             Method::Newton(solver) => solver.simulate(run, observer),
-            Method::RungeKutta4(flow) => flow.simulate(run, observer),
+            Method::RungeKutta4(flow) => flow.simulate(Scheme::RungeKutta4, run, observer),
         }
     }
 }

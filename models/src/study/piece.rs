@@ -6,6 +6,7 @@ use super::signals::Correspondence;
 use super::signals::Signals;
 use residua::erased::AnyFlow;
 use residua::erased::Sample;
+use residua::erased::Scheme;
 use std::ops::ControlFlow;
 
 /// Half the length of the piece of the exact motion that phase is looked for on, s.
@@ -32,7 +33,7 @@ impl Piece {
         for h in [-REACH / PIECES as f64, REACH / PIECES as f64] {
             let mut run = case.run(h, PIECES);
             run.t0 = until;
-            let outcome = flow.simulate(&run, &mut |sample: Sample<'_>| {
+            let outcome = flow.simulate(Scheme::RungeKutta4, &run, &mut |sample: Sample<'_>| {
                 let signals = Signals::read(&case, h, sample.t, sample.state);
                 moments.push((sample.t - until, signals.values));
                 ControlFlow::Continue(())

@@ -9,6 +9,7 @@ use super::distance::largest_size;
 use crate::columns::size;
 use residua::description::Variable;
 use residua::erased::Sample;
+use residua::erased::Scheme;
 use std::ops::ControlFlow;
 
 /// Steps per second of the runs that signals are matched on.
@@ -102,7 +103,7 @@ impl Course {
         run.every = every;
         if let Some(flow) = case.model.flow {
             // A course that breaks off is one that says less.
-            let _ = flow.simulate(&run, &mut |sample: Sample<'_>| {
+            let _ = flow.simulate(Scheme::RungeKutta4, &run, &mut |sample: Sample<'_>| {
                 moments.push(Signals::read(case, h, sample.t, sample.state));
                 ControlFlow::Continue(())
             });

@@ -13,6 +13,7 @@ use super::rows::Row;
 use super::rows::WIDTH;
 use super::rows::lanes;
 use super::rows::set_lanes;
+use crate::compensated::compensated_sum;
 use crate::description::Count;
 use crate::description::Unknown;
 use crate::erased::parameters;
@@ -333,14 +334,6 @@ fn correct<C: System<Lanes<N>>, const N: usize>(
         }
     }
     open == 0
-}
-
-/// a + b and what is rounded off it (Knuth, *The Art of Computer Programming* 2, 4.2.2, theorem B).
-#[inline(always)]
-fn compensated_sum<const N: usize>(a: Lanes<N>, b: Lanes<N>) -> (Lanes<N>, Lanes<N>) {
-    let sum = a + b;
-    let part = sum - a;
-    (sum, (a - (sum - part)) + (b - part))
 }
 
 /// Column `i` of `rows`, in an array like `shape`.

@@ -3,20 +3,26 @@
 use core::marker::PhantomData;
 
 use super::model;
+use super::scheme::Scheme;
 use super::simulate::Observer;
 use super::simulate::Run;
 use crate::error::RunError;
 use crate::model::Flow;
 use crate::model::Record;
 use crate::report::Statistics;
-use crate::runge_kutta::RungeKutta4;
+use crate::scheme::Collocated;
 
 /// A [`Flow`] over flat slices.
 pub trait AnyFlow: Sync {
     /// Overwrites `out` with dx/dt at time `t` and state x.
     fn flow(&self, parameters: &[f64], t: f64, state: &[f64], out: &mut [f64]);
-    /// Runs the continuous equations by [`RungeKutta4`] and shows states to `observer`, which may stop it.
-    fn simulate(&self, run: &Run, observer: &mut Observer) -> Result<Statistics, RunError>;
+    /// Runs the continuous equations by `scheme` and shows states to `observer`, which may stop it.
+    fn simulate(
+        &self,
+        scheme: Scheme,
+        run: &Run,
+        observer: &mut Observer,
+    ) -> Result<Statistics, RunError>;
 }
 
 /// `M` as an [`AnyFlow`].
@@ -27,17 +33,21 @@ impl<M> ErasedFlow<M> {
     pub const NEW: Self = Self(PhantomData);
 }
 
-impl<M: Flow<f64>> AnyFlow for ErasedFlow<M> {
+impl<M: Collocated<f64>> AnyFlow for ErasedFlow<M> {
     fn flow(&self, parameters: &[f64], t: f64, state: &[f64], out: &mut [f64]) {
         let parameters = model::parameters::<M, f64>(parameters);
         let state = model::state::<M, f64>(&parameters, state);
-        let rates = M::flow(&M::flow_scene(&parameters), t, &state.to_array());
+        let scene = <M as Flow<f64>>::flow_scene(&parameters);
+        let rates = <M as Flow<f64>>::flow(&scene, t, &state.to_array());
         out.copy_from_slice(rates.as_ref());
     }
 
-    fn simulate(&self, run: &Run, observer: &mut Observer) -> Result<Statistics, RunError> {
-        let (parameters, start) = run.records::<M>()?;
-        let integration = RungeKutta4::<M>::new(parameters, start, run.h)?.at(run.t0)?;
-        run.through(integration, observer)
+    fn simulate(
+        &self,
+        scheme: Scheme,
+        run: &Run,
+        observer: &mut Observer,
+    ) -> Result<Statistics, RunError> {
+        scheme.simulate::<M>(run, observer)
     }
 }

@@ -36,9 +36,9 @@ pub struct Simulate {
     /// model has]
     #[arg(long, value_name = "next|increment")]
     form: Option<String>,
-    /// Newton on the discrete equations, or Runge–Kutta 4 on the continuous ones
-    #[arg(long, value_enum, default_value = "newton")]
-    scheme: SchemeName,
+    /// newton on the discrete equations; or on the continuous ones rk4, midpoint, gauss2 … gauss8 (of order 4 … 16)
+    #[arg(long, value_name = "NAME", default_value = plan::NEWTON)]
+    scheme: String,
     /// Set a parameter: `--set m=3`, `--set "J=diag(1,2.8,2)"`, `--set "J(2,2)=3"`
     #[arg(long, value_name = "NAME=EXPR", value_parser = parse)]
     set: Vec<Assignment>,
@@ -54,14 +54,9 @@ pub struct Simulate {
     /// Keep every N-th step, and the last one
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
     every: u64,
-    /// Largest accepted Newton correction, relative to the size of what it corrects
-    #[arg(
-        long,
-        value_name = "EPS",
-        default_value = "1e-12",
-        allow_negative_numbers = true
-    )]
-    tolerance: f64,
+    /// Largest accepted Newton correction, relative to the size of what it corrects [default: 1e-12]
+    #[arg(long, value_name = "EPS", allow_negative_numbers = true)]
+    tolerance: Option<f64>,
     /// Which unknowns Newton's method iterates on; those that enter linearly need not be [default: core]
     #[arg(long, value_enum)]
     strategy: Option<StrategyName>,
@@ -79,11 +74,8 @@ pub struct Simulate {
     quiet: bool,
 }
 
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum SchemeName {
-    Newton,
-    Rk4,
-}
+/// Newton's tolerance where nobody says otherwise.
+const TOLERANCE: f64 = 1e-12;
 
 #[derive(Clone, Copy, ValueEnum)]
 enum StrategyName {
@@ -180,7 +172,7 @@ impl Simulate {
             steps: plan.steps,
             every: self.every,
             settings: Settings {
-                tolerance: self.tolerance,
+                tolerance: self.tolerance.unwrap_or(TOLERANCE),
                 strategy: self.strategy.unwrap_or(StrategyName::Core).into(),
                 compensated: !self.uncompensated,
                 ..Settings::default()
@@ -191,7 +183,7 @@ impl Simulate {
     fn subtitle(&self, plan: &Plan, statistics: Option<&Statistics>) -> String {
         let scheme = match plan.scheme {
             Scheme::Newton(solver) => format!("{} form", solver.solver().form),
-            Scheme::RungeKutta(_) => "Runge–Kutta 4".to_owned(),
+            Scheme::Flow(_, scheme) => scheme.name().to_owned(),
         };
         let pace = statistics.and_then(iterations);
         let set = self.set.iter().chain(&self.start).map(ToString::to_string);
@@ -214,7 +206,7 @@ impl Simulate {
 fn simulate(plan: &Plan, run: &Run, observer: &mut Observer) -> Result<Statistics, RunError> {
     match plan.scheme {
         Scheme::Newton(solver) => solver.simulate(run, observer),
-        Scheme::RungeKutta(flow) => flow.simulate(run, observer),
+        Scheme::Flow(flow, scheme) => flow.simulate(scheme, run, observer),
     }
 }
 

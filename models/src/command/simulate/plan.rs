@@ -8,7 +8,7 @@ use crate::notation::number;
 use crate::values;
 use residua::Catalogued;
 use residua::description::{Description, Variable};
-use residua::erased::{AnyFlow, AnySolver};
+use residua::erased::{self, AnyFlow, AnySolver};
 
 /// More steps than this are taken for a mistake: at 100 ns a step they last a day.
 const MAX_STEPS: f64 = 1e12;
@@ -20,6 +20,9 @@ const UNTIL: f64 = 10.0;
 /// How far `until / step` may fall short of a whole number for a run that is meant to end there.
 /// It covers the rounding of decimal steps, [steps].
 const END_TOLERANCE: f64 = 1e-9;
+
+/// The scheme that solves discrete equations.
+pub const NEWTON: &str = "newton";
 
 /// A run that can start.
 pub struct Plan {
@@ -42,25 +45,23 @@ pub struct Plan {
 pub enum Scheme {
     /// The discrete equations.
     Newton(&'static dyn AnySolver),
-    /// Runge–Kutta 4 on the continuous ones.
-    RungeKutta(&'static dyn AnyFlow),
+    /// A scheme on the continuous ones.
+    Flow(&'static dyn AnyFlow, erased::Scheme),
 }
 
 /// Checks the options against the model.
 pub fn plan(options: &Simulate, model: &'static Catalogued) -> Result<Plan, Failure> {
     let Span { step, steps, note } = span(model, options.step, options.until)?;
-    if !(options.tolerance > 0.0 && options.tolerance < 1.0) {
-        let message = format!(
-            "the tolerance is {}, not between 0 and 1",
-            options.tolerance
-        );
+    if let Some(tolerance) = options.tolerance.filter(|t| !(*t > 0.0 && *t < 1.0)) {
+        let message = format!("the tolerance is {tolerance}, not between 0 and 1");
         return Err(Failure::input(message));
     }
-    let is_newton = options.scheme == super::SchemeName::Newton;
+    let is_newton = options.scheme == NEWTON;
     if !is_newton && (options.strategy.is_some() || options.uncompensated) {
-        return Err(Failure::input(
-            "--strategy and --uncompensated are of Newton's method, and rk4 has none",
-        ));
+        return Err(Failure::input(format!(
+            "--strategy and --uncompensated are of Newton's method on the discrete equations, and {} is another scheme",
+            options.scheme
+        )));
     }
     let (parameters, start) = values(options, model)?;
     Ok(Plan {
@@ -124,18 +125,28 @@ fn steps(step: f64, until: f64) -> Result<Span, Failure> {
 
 fn scheme(options: &Simulate, model: &Catalogued) -> Result<Scheme, Failure> {
     let name = model.description.name;
-    match (options.scheme, &options.form) {
-        (super::SchemeName::Rk4, Some(_)) => Err(Failure::input(
-            "--form chooses discrete equations, and rk4 integrates the continuous ones",
-        )),
-        (super::SchemeName::Rk4, None) => model.flow.map(Scheme::RungeKutta).ok_or_else(|| {
-            Failure::input_with_help(
-                format!("`{name}` has no continuous equations for rk4"),
-                "give its model file a `flow { … }`",
-            )
-        }),
-        (super::SchemeName::Newton, form) => solver(form.as_deref(), model).map(Scheme::Newton),
+    if options.scheme == NEWTON {
+        return solver(options.form.as_deref(), model).map(Scheme::Newton);
     }
+    let word = options.scheme.as_str();
+    let Some(scheme) = erased::Scheme::named(word) else {
+        let known = erased::Scheme::names().chain([NEWTON]);
+        let names: Vec<&str> = erased::Scheme::names().chain([NEWTON]).collect();
+        let message = format!("there is no scheme `{word}`, only {}", names.join(", "));
+        return Err(Failure::unknown(message, word, known));
+    };
+    if options.form.is_some() {
+        return Err(Failure::input(format!(
+            "--form chooses discrete equations, and {word} integrates the continuous ones"
+        )));
+    }
+    let flow = model.flow.ok_or_else(|| {
+        Failure::input_with_help(
+            format!("`{name}` has no continuous equations for {word}"),
+            "give its model file a `flow { … }`",
+        )
+    })?;
+    Ok(Scheme::Flow(flow, scheme))
 }
 
 /// The solver of a form, or the first one.

@@ -5,6 +5,7 @@ use std::string::ToString;
 use std::vec::Vec;
 
 use super::Run;
+use crate::erased::Scheme;
 use crate::Catalogued;
 use crate::RunError;
 use crate::Settings;
@@ -36,7 +37,7 @@ fn shown(run: &Run) -> [Vec<u64>; 2] {
         ControlFlow::Continue(())
     });
     assert_eq!(result.unwrap().steps, run.steps);
-    let result = MODEL.flow.unwrap().simulate(run, &mut |sample| {
+    let result = MODEL.flow.unwrap().simulate(Scheme::RungeKutta4, run, &mut |sample| {
         explicit.push(sample.step);
         ControlFlow::Continue(())
     });
@@ -67,7 +68,7 @@ fn refused(run: &Run) -> std::string::String {
     let explicit = MODEL
         .flow
         .unwrap()
-        .simulate(run, &mut observer)
+        .simulate(Scheme::RungeKutta4, run, &mut observer)
         .unwrap_err();
     assert!(matches!(implicit, RunError::Invalid(_)));
     assert_eq!(implicit.to_string(), explicit.to_string());

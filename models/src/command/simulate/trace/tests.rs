@@ -18,6 +18,7 @@ static ONE_STATE: Description = Description {
     solvers: &[],
     claims: &[],
     has_flow: false,
+    no_series: None,
     counts: &[],
     scene: None,
 };

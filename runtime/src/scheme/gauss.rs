@@ -1,0 +1,349 @@
+//! Gauss–Legendre collocation, the stages side by side in vectors.
+
+mod coefficients;
+mod extended;
+mod sweeps;
+mod tableau;
+mod variable;
+
+use crate::compensated::compensated_sums;
+use crate::description::Solver;
+use crate::error::Failure;
+use crate::error::Fault;
+use crate::error::Place;
+use crate::integration::FlatState;
+use crate::integration::Integration;
+use crate::integration::Method;
+use crate::integration::require_finite;
+use crate::model::Flow;
+use crate::model::Model;
+use crate::model::Record;
+use crate::packed::Pack;
+use crate::packed::Packed;
+use crate::report::History;
+use crate::report::Report;
+use crate::report::Statistics;
+use crate::scalar::Real;
+use crate::scalar::Scalar;
+use crate::settings::LEFTOVER;
+use crate::settings::ROUNDING;
+
+pub(crate) use coefficients::Coefficients;
+pub(crate) use coefficients::LANES;
+use coefficients::Row;
+use sweeps::End;
+use sweeps::Sweeps;
+
+pub use variable::VariableGauss;
+
+/// A flow that Gauss methods can evaluate at all stages at a time. Nothing implements it by hand: generated flows have
+/// it.
+pub trait Collocated<T: Packed>: Flow<T> + Flow<T::Pack<LANES>> {}
+
+impl<T: Packed, M: Flow<T> + Flow<T::Pack<LANES>>> Collocated<T> for M {}
+
+/// A flat state of eight stages.
+pub(crate) type Stages<M, T> =
+    <<M as Model<<T as Packed>::Pack<LANES>>>::State as Record<<T as Packed>::Pack<LANES>>>::Array;
+
+/// The flat state of `M`.
+pub(crate) type Flat<M, T> = FlatState<M, T>;
+
+/// A run of the continuous equations dx/dt = f(t, x) of the model `M` by Gauss–Legendre collocation with `S` stages,
+/// 1 ≤ S ≤ 8:
+///
+/// Xᵢ = x + h Σⱼ aᵢⱼ f(t + cⱼ h, Xⱼ), x ← x + h Σᵢ bᵢ f(t + cᵢ h, Xᵢ),
+///
+/// of order 2 S, symmetric, symplectic and A-stable; S = 1 is the implicit midpoint rule. Linear and quadratic invariants
+/// are kept to rounding (Cooper 1987), the energy of Hamiltonian models up to oscillations of order 2 S.
+///
+/// Source: Kuntzmann (1961), Butcher (1964); Hairer, Lubich and Wanner, *Geometric Numerical Integration*, II.1.3, VI.4.
+pub type Gauss<M, const S: usize, T = f64> = Integration<Collocation<M, S, T>, T>;
+
+/// The method of a [`Gauss`].
+pub struct Collocation<M: Collocated<T>, const S: usize, T: Packed> {
+    core: Core<M, T>,
+    h: T,
+}
+
+impl<M: Collocated<T>, const S: usize, T: Packed> Method<T> for Collocation<M, S, T> {
+    type Model = M;
+
+    fn new(parameters: &<M as Model<T>>::Parameters, h: T) -> Self {
+        const { assert!(S >= 1 && S <= LANES, "1 to 8 stages") };
+        let core = Core::new(parameters, Coefficients::new(S));
+        Self { core, h }
+    }
+
+    #[inline]
+    fn advance(
+        &mut self,
+        t: T,
+        x: &mut Flat<M, T>,
+        statistics: &mut Statistics,
+    ) -> Result<Report, Fault> {
+        self.core.advance(t, x, self.h, statistics)
+    }
+
+    fn history(&self) -> History {
+        History::default()
+    }
+
+    fn solver() -> Option<&'static Solver> {
+        None
+    }
+}
+
+/// Collocation with any number of stages and any step.
+pub(crate) struct Core<M: Collocated<T>, T: Packed> {
+    coefficients: Coefficients<T>,
+    scene: <M as Flow<T>>::FlowScene,
+    packed: <M as Flow<T::Pack<LANES>>>::FlowScene,
+    /// h cᵢ and h bᵢ of the step `h`.
+    h: T,
+    hc: Row<T>,
+    hb: Row<T>,
+    /// h bᵢ f(Xᵢ) of the step that was taken last, of length `taken`; 0 if none was.
+    known: Stages<M, T>,
+    taken: T,
+    /// From `known` to a first guess for a step of `ratio` times its length.
+    guess: [Row<T>; LANES],
+    ratio: T,
+    /// h bᵢ f(Xᵢ)
+    rates: Stages<M, T>,
+    /// Σᵢ h bᵢ f(Xᵢ)
+    change: Flat<M, T>,
+    /// What the sums of increments have lost to rounding.
+    lost: Flat<M, T>,
+}
+
+impl<M: Collocated<T>, T: Packed> Core<M, T> {
+    pub(crate) fn new(parameters: &<M as Model<T>>::Parameters, coefficients: Coefficients<T>) -> Self {
+        let (zero, row) = (T::constant(0.0), [T::constant(0.0); LANES]);
+        let many = packed_parameters::<M, T>(parameters);
+        let mut known = <M as Model<T::Pack<LANES>>>::start(&many).to_array();
+        known.as_mut().fill(T::Pack::constant(0.0));
+        Self {
+            coefficients,
+            scene: <M as Flow<T>>::flow_scene(parameters),
+            packed: <M as Flow<T::Pack<LANES>>>::flow_scene(&many),
+            h: zero,
+            hc: row,
+            hb: row,
+            known,
+            taken: zero,
+            guess: [row; LANES],
+            ratio: zero,
+            rates: known,
+            change: zeros::<M, T>(),
+            lost: zeros::<M, T>(),
+        }
+    }
+
+    /// There is a step to start from.
+    pub(crate) fn has_past(&self) -> bool {
+        self.taken != T::constant(0.0)
+    }
+
+    /// Starts anew.
+    pub(crate) fn forget(&mut self) {
+        self.taken = T::constant(0.0);
+    }
+
+    /// The next step starts at `from` of the last one and has `ratio` times its length.
+    fn follow(&mut self, from: T, ratio: T) {
+        self.ratio = ratio;
+        self.h = ratio * self.taken;
+        self.hc = self.coefficients.c.map(|c| self.h * c);
+        self.hb = self.coefficients.weights(self.h);
+        self.guess = self.coefficients.extrapolation(from, ratio);
+    }
+
+    /// The same again.
+    fn copy(&self) -> Self {
+        Self { ..*self }
+    }
+
+    /// A step that is exact to rounding.
+    #[inline]
+    pub(crate) fn advance(
+        &mut self,
+        t: T,
+        x: &mut Flat<M, T>,
+        h: T,
+        statistics: &mut Statistics,
+    ) -> Result<Report, Fault> {
+        if !self.has_past() {
+            self.begin(t, x, h, statistics);
+        }
+        let enough = T::constant(LEFTOVER) * T::EPSILON;
+        let weights = self.weights(x, enough);
+        let floor = T::constant(ROUNDING / LEFTOVER);
+        let sweeps = self.solve(t, x, h, &weights, floor, statistics)?;
+        let (sum, lost) = compensated_sums(x, &self.change, &self.lost);
+        *x = require_finite(sum)?;
+        self.lost = lost;
+        self.take();
+        Ok(Report::converged(sweeps as usize))
+    }
+
+    /// The inverse of `share` of each variable's size, or of its change in the last step.
+    #[inline]
+    fn weights(&self, x: &Flat<M, T>, share: T) -> Flat<M, T> {
+        let zero = T::constant(0.0);
+        let mut weights = *x;
+        let mut end = 0;
+        for variable in <M as Model<T>>::DESCRIPTION.states {
+            let block = end..end + variable.rows * variable.cols;
+            end = block.end;
+            let mut size = zero;
+            for i in block.clone() {
+                size = larger(size, x.as_ref()[i].abs());
+                size = larger(size, self.change.as_ref()[i].abs());
+            }
+            let weight = if size > zero {
+                T::constant(1.0) / (share * size)
+            } else {
+                zero
+            };
+            weights.as_mut()[block].fill(weight);
+        }
+        weights
+    }
+
+    /// Solves the stage equations; the step is taken by [`Core::take`].
+    #[inline]
+    pub(crate) fn solve(
+        &mut self,
+        t: T,
+        x: &Flat<M, T>,
+        h: T,
+        weights: &Flat<M, T>,
+        floor: T,
+        statistics: &mut Statistics,
+    ) -> Result<u32, Fault> {
+        self.prepare(h);
+        let (mut end, mut sweeps) = self.sweep(t, x, weights, floor, false);
+        let mut all = sweeps;
+        if end == End::NotFinite {
+            // Stages may be beyond what vectors can compute with, where numbers are not.
+            self.begin(t, x, h, statistics);
+            (end, sweeps) = self.sweep(t, x, weights, floor, true);
+            all += sweeps;
+        }
+        statistics.iterations += u64::from(all);
+        statistics.flows += u64::from(all + 1) * self.coefficients.stages as u64;
+        let failure = match end {
+            End::Converged => {
+                let sums = self.change.as_mut().iter_mut().zip(self.rates.as_ref());
+                for (sum, rates) in sums {
+                    *sum = total(rates.numbers());
+                }
+                return Ok(sweeps);
+            }
+            End::Slow => Failure::Stages,
+            End::NotFinite => Failure::NotFinite,
+        };
+        Err(Fault {
+            failure,
+            place: Place::State(0),
+            value: 0.0,
+        })
+    }
+
+    fn sweep(
+        &mut self,
+        t: T,
+        x: &Flat<M, T>,
+        weights: &Flat<M, T>,
+        floor: T,
+        is_alone: bool,
+    ) -> (End, u32) {
+        T::work(Sweeps::<M, T> {
+            scene: &self.packed,
+            alone: is_alone.then_some(&self.scene),
+            times: self.hc.map(|hc| t + hc),
+            hb: self.hb,
+            mu: &self.coefficients.mu,
+            guess: &self.guess,
+            known: &self.known,
+            x,
+            weights,
+            floor,
+            rates: &mut self.rates,
+        })
+    }
+
+    /// Computes what depends on the step and its ratio to the last one.
+    #[inline]
+    fn prepare(&mut self, h: T) {
+        let zero = T::constant(0.0);
+        if h != self.h {
+            self.h = h;
+            self.hc = self.coefficients.c.map(|c| h * c);
+            self.hb = self.coefficients.weights(h);
+        }
+        if self.taken != zero && h != self.ratio * self.taken {
+            self.ratio = h / self.taken;
+            self.guess = self.coefficients.extrapolation(T::constant(1.0), self.ratio);
+        }
+    }
+
+    /// Starts from the rates at x.
+    pub(crate) fn begin(&mut self, t: T, x: &Flat<M, T>, h: T, statistics: &mut Statistics) {
+        self.taken = T::constant(0.0);
+        self.ratio = T::constant(0.0);
+        self.prepare(h);
+        let rates = <M as Flow<T>>::flow(&self.scene, t, x);
+        statistics.flows += 1;
+        self.guess = self.coefficients.mu;
+        self.change = rates;
+        let rows = self.known.as_mut().iter_mut().zip(self.change.as_mut());
+        for (known, change) in rows {
+            let rate = *change;
+            *known = T::Pack::pack(self.hb.map(|hb| hb * rate));
+            *change = h * rate;
+        }
+    }
+
+    /// The solved step becomes the one to start from.
+    #[inline]
+    pub(crate) fn take(&mut self) {
+        self.known = self.rates;
+        self.taken = self.h;
+    }
+}
+
+/// Σ, pair by pair.
+#[inline]
+fn total<T: Real>(row: &Row<T>) -> T {
+    let [a, b, c, d, e, f, g, h] = *row;
+    ((a + e) + (c + g)) + ((b + f) + (d + h))
+}
+
+#[inline]
+fn larger<T: Real>(a: T, b: T) -> T {
+    if a > b { a } else { b }
+}
+
+/// The same parameters for all stages.
+fn packed_parameters<M: Collocated<T>, T: Packed>(
+    parameters: &<M as Model<T>>::Parameters,
+) -> <M as Model<T::Pack<LANES>>>::Parameters {
+    let mut many = <M as Model<T::Pack<LANES>>>::Parameters::default().to_array();
+    let one = parameters.to_array();
+    for (many, one) in many.as_mut().iter_mut().zip(one.as_ref()) {
+        *many = T::Pack::pack([*one; LANES]);
+    }
+    Record::from_array(many)
+}
+
+/// A state of zeros.
+pub(crate) fn zeros<M: Model<T>, T: Real>() -> Flat<M, T> {
+    let mut zeros = M::start(&M::Parameters::default()).to_array();
+    zeros.as_mut().fill(T::constant(0.0));
+    zeros
+}
+
+#[cfg(test)]
+mod tests;

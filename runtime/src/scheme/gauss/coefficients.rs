@@ -1,0 +1,142 @@
+//! The tableau in the numbers of a run, padded to eight stages.
+
+use super::extended::Extended;
+use super::tableau::Tableau;
+use crate::scalar::Real;
+
+/// Stages at most: those of one vector.
+pub(crate) const LANES: usize = 8;
+
+/// Eight numbers, one of each stage.
+pub(crate) type Row<T> = [T; LANES];
+
+/// Coefficients of `stages` stages. What pads them is 0, and the last node.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Coefficients<T> {
+    pub(crate) stages: usize,
+    /// Nodes.
+    pub(crate) c: Row<T>,
+    /// Weights.
+    pub(crate) b: Row<T>,
+    /// Columns of μᵢⱼ = aᵢⱼ/bⱼ, with μᵢⱼ + μⱼᵢ = 1 exactly.
+    pub(crate) mu: [Row<T>; LANES],
+    /// (2k + 1) Pₖ(cⱼ): row k, column j.
+    pub(crate) legendre: [Row<T>; LANES],
+}
+
+impl<T: Real> Coefficients<T> {
+    /// Those of 1 to 8 stages; fewer or more are taken for these.
+    pub(crate) fn new(stages: usize) -> Self {
+        match stages {
+            0 | 1 => Self::of(const { &Tableau::<1>::NEW }),
+            2 => Self::of(const { &Tableau::<2>::NEW }),
+            3 => Self::of(const { &Tableau::<3>::NEW }),
+            4 => Self::of(const { &Tableau::<4>::NEW }),
+            5 => Self::of(const { &Tableau::<5>::NEW }),
+            6 => Self::of(const { &Tableau::<6>::NEW }),
+            7 => Self::of(const { &Tableau::<7>::NEW }),
+            _ => Self::of(const { &Tableau::<8>::NEW }),
+        }
+    }
+
+    fn of<const S: usize>(tableau: &Tableau<S>) -> Self {
+        let zero = T::constant(0.0);
+        let (mut c, mut b) = ([number(tableau.c[S - 1]); LANES], [zero; LANES]);
+        let (mut mu, mut legendre) = ([[zero; LANES]; LANES], [[zero; LANES]; LANES]);
+        for i in 0..S {
+            c[i] = number(tableau.c[i]);
+            b[i] = number(tableau.b[i]);
+            for j in 0..S {
+                // The larger of a pair is at least 1/2, so that the difference from 1 is exact.
+                mu[j][i] = match tableau.mu[i][j].hi {
+                    _ if i == j => T::constant(0.5),
+                    large if large > 0.5 => number(tableau.mu[i][j]),
+                    _ => T::constant(1.0) - number(tableau.mu[j][i]),
+                };
+                legendre[i][j] = number(tableau.legendre[i][j].div(tableau.b[j]));
+            }
+        }
+        Self {
+            stages: S,
+            c,
+            b,
+            mu,
+            legendre,
+        }
+    }
+
+    /// h bᵢ, the sum of which is h.
+    pub(crate) fn weights(&self, h: T) -> Row<T> {
+        let mut weights = self.b.map(|b| h * b);
+        if self.stages >= 3 {
+            let last = self.stages - 1;
+            let inner = weights[1..last]
+                .iter()
+                .fold(T::constant(0.0), |sum, w| sum + *w);
+            let outer = (h - inner) / T::constant(2.0);
+            (weights[0], weights[last]) = (outer, outer);
+        }
+        weights
+    }
+
+    /// The trapezoidal rule as collocation at both ends, Lobatto IIIA.
+    pub(crate) fn trapezoidal() -> Self {
+        let [zero, half, one] = [0.0, 0.5, 1.0].map(T::constant);
+        let row = [zero; LANES];
+        let mut rule = Self {
+            stages: 2,
+            c: [one; LANES],
+            b: row,
+            mu: [row; LANES],
+            legendre: [row; LANES],
+        };
+        rule.c[0] = zero;
+        (rule.b[0], rule.b[1]) = (half, half);
+        (rule.mu[0][1], rule.mu[1][1]) = (one, one);
+        (rule.legendre[0][0], rule.legendre[0][1]) = (one, one);
+        (rule.legendre[1][0], rule.legendre[1][1]) = (-one, one);
+        rule
+    }
+
+    /// Columns of the matrix that takes h bⱼ f(Xⱼ) of one step to Σⱼ aᵢⱼ h f of one that starts at `from` of it and has
+    /// `ratio` times its length, by the polynomial of the rates.
+    pub(crate) fn extrapolation(&self, from: T, ratio: T) -> [Row<T>; LANES] {
+        let zero = T::constant(0.0);
+        let s = self.stages;
+        // h' bₖ/h Σₘ Pₘ(from + ratio cₖ) (2m + 1) Pₘ(cⱼ)
+        let mut rates = [[zero; LANES]; LANES];
+        let values = self.c.map(|c| legendre::<T>(from + ratio * c));
+        for k in 0..s {
+            for j in 0..s {
+                let terms = (0..s).fold(zero, |sum, m| sum + values[k][m] * self.legendre[m][j]);
+                rates[j][k] = ratio * self.b[k] * terms;
+            }
+        }
+        rates.map(|rates| {
+            let mut column = [zero; LANES];
+            for (mu, rate) in self.mu.iter().zip(rates) {
+                for (sum, mu) in column.iter_mut().zip(mu) {
+                    *sum = *sum + *mu * rate;
+                }
+            }
+            column
+        })
+    }
+}
+
+/// P₀(x), …, P₇(x) of the shifted Legendre polynomials.
+pub(crate) fn legendre<T: Real>(x: T) -> Row<T> {
+    let one = T::constant(1.0);
+    let y = x + x - one;
+    let mut p = [one; LANES];
+    p[1] = y;
+    for k in 1..LANES - 1 {
+        let (a, b) = (T::constant((2 * k + 1) as f64), T::constant(k as f64));
+        p[k + 1] = (a * y * p[k] - b * p[k - 1]) / T::constant((k + 1) as f64);
+    }
+    p
+}
+
+fn number<T: Real>(value: Extended) -> T {
+    T::constant(value.hi) + T::constant(value.lo)
+}

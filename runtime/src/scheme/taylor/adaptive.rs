@@ -1,0 +1,251 @@
+//! Taylor series of which the step follows from their last two coefficients.
+
+use super::Expansion;
+use super::MOST_ORDER;
+use super::root;
+use crate::compensated::compensated_sum;
+use crate::compensated::compensated_sums;
+use crate::convolution::Convolved;
+use crate::description::Solver;
+use crate::error::Failure;
+use crate::error::Fault;
+use crate::error::Place;
+use crate::integration::FlatState;
+use crate::integration::Integration;
+use crate::integration::Method;
+use crate::integration::require_finite;
+use crate::model::Series;
+use crate::report::History;
+use crate::report::Report;
+use crate::report::Statistics;
+use crate::scheme::Tolerance;
+
+/// The most that a step may be longer than the one before it. Larger trusts coefficients further that rounding has reached;
+/// smaller takes more steps to find the first length.
+const GROWTH: f64 = 8.0;
+
+/// Part of the step that the estimate allows. Less wins digits, more risks them.
+const SAFETY: f64 = 0.95;
+
+/// A run of the continuous equations of the model `M` by their Taylor series, with steps as long as a tolerance allows. The
+/// `h` of the run is the interval of its output, which comes from the series itself.
+///
+/// The last two terms of a step are within the tolerance: |xₙ,ᵢ| hⁿ ≤ absolute + relative |x₀,ᵢ| for n = p − 1 and p. A step is
+/// found before it is taken, so none is rejected. The order is p = ⌈−¾ ln relative⌉ + 1: between that of least work where
+/// work is as p² (Jorba and Zou, *Experiment. Math.* 14 (2005), section 3.2: −½ ln ε + 1) and where it is as p (−ln ε), as
+/// sums in lanes have it.
+pub type AdaptiveTaylor<M, T = f64> = Integration<Adaptive<M, T>, T>;
+
+/// The method of an [`AdaptiveTaylor`].
+pub struct Adaptive<M: Series<T>, T: Convolved> {
+    expansion: Expansion<M, T>,
+    /// The interval of the output.
+    h: T,
+    tolerance: Tolerance<T>,
+    piece: Option<Piece<FlatState<M, T>, T>>,
+}
+
+/// What is known of the motion: the series at `start`, good for `length`.
+#[derive(Clone, Copy)]
+struct Piece<X, T> {
+    start: T,
+    /// What rounding has taken from `start`.
+    rest: T,
+    length: T,
+    /// What the sums of steps have lost of the state at `start` to rounding.
+    lost: X,
+    /// The state that was given out last: what the next call has to start from.
+    given: X,
+}
+
+impl<M: Series<T>, T: Convolved> AdaptiveTaylor<M, T> {
+    /// The same run with other tolerances and the order that is least work for them.
+    pub fn with_tolerance(mut self, tolerance: Tolerance<T>) -> Self {
+        let method = &mut self.method;
+        method.tolerance = tolerance;
+        method.expansion.set_order(order_for(&tolerance));
+        method.piece = None;
+        self
+    }
+
+    /// The same run with another order, 2 to [`MOST_ORDER`].
+    pub fn with_order(mut self, order: usize) -> Self {
+        self.method.expansion.set_order(order.max(2));
+        self.method.piece = None;
+        self
+    }
+}
+
+/// ⌈−¾ ln ε⌉ + 1
+fn order_for<T: Convolved>(tolerance: &Tolerance<T>) -> usize {
+    let relative = tolerance.relative.to_f64();
+    let ln = root::log2(relative.max(f64::MIN_POSITIVE)) * core::f64::consts::LN_2;
+    let order = -0.75 * ln + 1.0;
+    // Towards zero, and 2 for NaN.
+    (order as usize + 1).clamp(2, MOST_ORDER)
+}
+
+impl<M: Series<T>, T: Convolved> Method<T> for Adaptive<M, T> {
+    type Model = M;
+
+    fn new(parameters: &M::Parameters, h: T) -> Self {
+        let tolerance = Tolerance::default();
+        Self {
+            expansion: Expansion::new(parameters, order_for(&tolerance)),
+            h,
+            tolerance,
+            piece: None,
+        }
+    }
+
+    fn advance(
+        &mut self,
+        t: T,
+        x: &mut FlatState<M, T>,
+        statistics: &mut Statistics,
+    ) -> Result<Report, Fault> {
+        let mut piece = match self.piece.take() {
+            Some(piece) if piece.given.as_ref() == x.as_ref() => piece,
+            Some(_) | None => self.begin(t, x, statistics)?,
+        };
+        let end = t + self.h;
+        while is_beyond(piece.until(end), piece.length) {
+            piece = self.proceed(&piece, statistics)?;
+        }
+        let theta = piece.until(end) / self.expansion.unit();
+        let change = self.expansion.change(theta);
+        let start = self.expansion.coefficients()[0];
+        let (sum, _) = compensated_sums(&start, &change, &piece.lost);
+        *x = require_finite(sum)?;
+        piece.given = *x;
+        self.piece = Some(piece);
+        Ok(Report::converged(0))
+    }
+
+    fn history(&self) -> History {
+        History::default()
+    }
+
+    fn solver() -> Option<&'static Solver> {
+        None
+    }
+}
+
+impl<X, T: Convolved> Piece<X, T> {
+    /// The time to `t`.
+    fn until(&self, t: T) -> T {
+        t - self.start - self.rest
+    }
+}
+
+/// |a| > |b|
+fn is_beyond<T: Convolved>(a: T, b: T) -> bool {
+    a.abs() > b.abs()
+}
+
+impl<M: Series<T>, T: Convolved> Adaptive<M, T> {
+    /// The series at a new start.
+    #[cold]
+    fn begin(
+        &mut self,
+        t: T,
+        x: &FlatState<M, T>,
+        statistics: &mut Statistics,
+    ) -> Result<Piece<FlatState<M, T>, T>, Fault> {
+        let mut lost = *x;
+        lost.as_mut().fill(T::constant(0.0));
+        let mut unit = self.h;
+        // Coefficients that overflow ask for a smaller unit of time.
+        for _ in 0..ATTEMPTS {
+            self.expansion.forget();
+            self.expansion.expand(t, x, unit);
+            statistics.flows += 1;
+            let size = self.size(self.expansion.order());
+            if size < LARGEST {
+                break;
+            }
+            unit = unit * T::constant(SHRINK);
+        }
+        let length = self.length(t)?;
+        self.expansion.forget();
+        // Once more in units of its length: far from it, the estimate is rough.
+        self.expansion.expand(t, x, length);
+        statistics.flows += 1;
+        self.piece_at((t, T::constant(0.0)), *x, lost)
+    }
+
+    /// The series at the end of `piece`.
+    #[inline]
+    fn proceed(
+        &mut self,
+        piece: &Piece<FlatState<M, T>, T>,
+        statistics: &mut Statistics,
+    ) -> Result<Piece<FlatState<M, T>, T>, Fault> {
+        let theta = piece.length / self.expansion.unit();
+        let change = self.expansion.change(theta);
+        let start = self.expansion.coefficients()[0];
+        let (sum, lost) = compensated_sums(&start, &change, &piece.lost);
+        let x = require_finite(sum)?;
+        let (t, rest) = compensated_sum(piece.start, piece.length + piece.rest);
+        self.expansion.expand(t, &x, piece.length);
+        statistics.flows += 1;
+        statistics.accepted += 1;
+        self.piece_at((t, rest), piece.given, lost)
+    }
+
+    fn piece_at(
+        &self,
+        (start, rest): (T, T),
+        given: FlatState<M, T>,
+        lost: FlatState<M, T>,
+    ) -> Result<Piece<FlatState<M, T>, T>, Fault> {
+        let length = self.length(start)?;
+        Ok(Piece {
+            start,
+            rest,
+            length,
+            lost,
+            given,
+        })
+    }
+
+    /// How far from `t` the series is good.
+    fn length(&self, t: T) -> Result<T, Fault> {
+        let p = self.expansion.order();
+        let [last, before] = [p, p - 1].map(|n| root::root(self.size(n), n));
+        // False for NaN.
+        let theta = if last < before { last } else { before };
+        let theta = if theta < GROWTH / SAFETY { theta } else { GROWTH / SAFETY };
+        let length = self.expansion.unit() * T::constant(theta * SAFETY);
+        if length.is_finite() && t + length != t {
+            return Ok(length);
+        }
+        Err(Fault {
+            failure: Failure::StepTooSmall,
+            place: Place::State(0),
+            value: length.to_f64(),
+        })
+    }
+
+    /// The term of order n as a multiple of the tolerance, in the largest component.
+    #[inline]
+    fn size(&self, n: usize) -> f64 {
+        let coefficients = self.expansion.coefficients();
+        let pairs = coefficients[n].as_ref().iter().zip(coefficients[0].as_ref());
+        let mut largest = 0.0;
+        for (term, x) in pairs {
+            let tolerance = self.tolerance.of(*x, *x);
+            let size = (term.abs() / tolerance).to_f64();
+            // NaN stays.
+            largest = if size <= largest { largest } else { size };
+        }
+        largest
+    }
+}
+
+/// Units of time that are tried for a first series.
+const ATTEMPTS: usize = 40;
+/// By what the unit of time shrinks.
+const SHRINK: f64 = 1.0 / 64.0;
+/// Sizes of terms beyond which the unit of time is no measure.
+const LARGEST: f64 = 1e100;
