@@ -95,10 +95,7 @@ impl<S: Simd> Convolve<f64> for Vectors<S> {
                     j += APART;
                 }
                 let [first, second, third, fourth] = apart;
-                let halves = [
-                    simd.add_f64s(first, second),
-                    simd.add_f64s(third, fourth),
-                ];
+                let halves = [simd.add_f64s(first, second), simd.add_f64s(third, fourth)];
                 *part = simd.add_f64s(halves[0], halves[1]);
             }
         }

@@ -6,8 +6,8 @@
 
 mod flow;
 mod model;
-mod series;
 mod scheme;
+mod series;
 mod simulate;
 mod solver;
 
@@ -15,9 +15,10 @@ pub use flow::AnyFlow;
 pub use flow::ErasedFlow;
 pub use model::AnyModel;
 pub use model::ErasedModel;
+pub use scheme::Embedded;
+pub use scheme::Scheme;
 pub use series::AnySeries;
 pub use series::ErasedSeries;
-pub use scheme::Scheme;
 pub use simulate::Observer;
 pub use simulate::Run;
 pub use simulate::Sample;

@@ -75,10 +75,15 @@ impl fmt::Display for StepError {
             Failure::Stalled => "Newton stalled",
             Failure::Singular => "the Jacobian became singular",
             Failure::Stages => {
-                return f.write_str("the stages of the scheme could not be solved for; a shorter step may do");
+                return f.write_str(
+                    "the stages of the scheme could not be solved for; a shorter step may do",
+                );
             }
             Failure::StepTooSmall => {
-                return write!(f, "steps of {value:.1e} miss the tolerance, and shorter ones would not change the time");
+                return write!(
+                    f,
+                    "steps of {value:.1e} miss the tolerance, and shorter ones would not change the time"
+                );
             }
             Failure::NotFinite => {
                 self.write_place(f)?;

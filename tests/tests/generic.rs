@@ -273,10 +273,14 @@ fn steps_converge_to_the_flow() {
         let mut points = Points::new(6);
         let case = Case::varied(model, &mut points).kicked(&mut points);
         let mut truth = Vec::new();
-        flow.simulate(Scheme::RungeKutta4, &case.run(0.5 / 4000.0, 4000, 0), &mut |sample| {
-            truth = sample.state.to_vec();
-            ControlFlow::Continue(())
-        })
+        flow.simulate(
+            Scheme::RungeKutta4,
+            &case.run(0.5 / 4000.0, 4000, 0),
+            &mut |sample| {
+                truth = sample.state.to_vec();
+                ControlFlow::Continue(())
+            },
+        )
         .unwrap_or_else(|error| panic!("{what}: {error}"));
         let error = |steps: u64| {
             let last = case.last_state(solver, 0.5 / steps as f64, steps);

@@ -192,10 +192,14 @@ fn flows_meet_the_reference() {
         let case = case(model, &scene);
         let flow = case.model.flow.expect("has a flow");
         let mut last = Vec::new();
-        flow.simulate(residua::erased::Scheme::RungeKutta4, &case.run(0.001, 10_000, 0), &mut |sample| {
-            last = sample.state.to_vec();
-            ControlFlow::Continue(())
-        })
+        flow.simulate(
+            residua::erased::Scheme::RungeKutta4,
+            &case.run(0.001, 10_000, 0),
+            &mut |sample| {
+                last = sample.state.to_vec();
+                ControlFlow::Continue(())
+            },
+        )
         .expect("runs");
         let truth = motion_of(model, &state_of(model, scene.truth(10.0)));
         let error = largest_difference(&motion_of(model, &last), &truth);

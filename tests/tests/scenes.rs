@@ -382,7 +382,9 @@ fn a_run_that_breaks_a_symmetry_is_refused() {
     }
     let flow = scene.flow.expect("a flow");
     assert!(
-        flow.simulate(residua::erased::Scheme::RungeKutta4, &run, &mut |_| ControlFlow::Continue(()))
-            .is_err()
+        flow.simulate(residua::erased::Scheme::RungeKutta4, &run, &mut |_| {
+            ControlFlow::Continue(())
+        })
+        .is_err()
     );
 }

@@ -4,10 +4,10 @@ use residua::Catalogued;
 use residua::RunError;
 use residua::Statistics;
 use residua::erased::AnyFlow;
-use residua::erased::Scheme;
 use residua::erased::AnySolver;
 use residua::erased::Observer;
 use residua::erased::Run;
+use residua::erased::Scheme;
 
 /// A generated solver or a baseline.
 #[derive(Clone, Copy)]

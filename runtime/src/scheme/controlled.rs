@@ -104,6 +104,8 @@ pub struct Controlled<V: Variable<T>, T: Real> {
     scheme: V,
     scene: <V::Model as Flow<T>>::FlowScene,
     tolerance: Tolerance<T>,
+    /// Errors between these leave the step as it is.
+    steady: (T, T),
     /// Of the outputs.
     h: T,
     /// The next step; 0 before the first.
@@ -127,10 +129,13 @@ const PROPORTIONAL: f64 = 0.4;
 /// Least and largest factor of the step.
 const LEAST_FACTOR: f64 = 0.2;
 const MOST_FACTOR: f64 = 5.0;
-/// Up to this factor a step keeps its length where equal steps cost less (Hairer and Wanner II, IV.8).
-const STEADY: f64 = 1.2;
-/// Error at which the history of the controller starts, that it does not count a lucky step.
-const LEAST_ERROR: f64 = 1e-4;
+/// A step that could grow by up to this factor, or should shrink by up to that one, keeps its length where equal steps cost
+/// less (Hairer and Wanner II, IV.8).
+const STEADY: (f64, f64) = (1.2, 0.96);
+/// Error below which one is as good as another.
+const LEAST_ERROR: f64 = 1e-30;
+/// Error that the controller takes for the one before the first.
+const FIRST_ERROR: f64 = 1e-4;
 /// Rejected steps in a row before the run is given up.
 const MOST_REJECTED: u32 = 60;
 
@@ -147,8 +152,13 @@ impl<V: Variable<T>, T: Real> Method<T> for Controlled<V, T> {
 
     fn new(parameters: &<V::Model as Model<T>>::Parameters, h: T) -> Self {
         let zero = T::constant(0.0);
+        let scheme = V::new(parameters);
+        // The error that leads to a factor, at rest.
+        let p = T::constant(scheme.order() as f64);
+        let leading_to = |factor: f64| T::constant(SAFETY / factor).powf(p);
         Self {
-            scheme: V::new(parameters),
+            steady: (leading_to(STEADY.0), leading_to(STEADY.1)),
+            scheme,
             scene: V::Model::flow_scene(parameters),
             tolerance: Tolerance::default(),
             h,
@@ -209,7 +219,7 @@ impl<V: Variable<T>, T: Real> Controlled<V, T> {
         self.scheme.restart();
         self.to = (t, T::constant(0.0));
         self.end = *x;
-        self.error = T::constant(LEAST_ERROR);
+        self.error = T::constant(FIRST_ERROR);
         self.step = self.first_step(t, x);
         statistics.flows += 2;
     }
@@ -266,7 +276,9 @@ impl<V: Variable<T>, T: Real> Controlled<V, T> {
             if end == t {
                 break;
             }
-            let tried = self.scheme.attempt(t, &self.end, h, &self.tolerance, statistics);
+            let tried = self
+                .scheme
+                .attempt(t, &self.end, h, &self.tolerance, statistics);
             match tried {
                 Ok(attempt) if attempt.error <= one => {
                     iterations += attempt.iterations;
@@ -281,7 +293,11 @@ impl<V: Variable<T>, T: Real> Controlled<V, T> {
                     let factor = T::constant(SAFETY) * (one / attempt.error).powf(one / p);
                     // NaN, too.
                     let is_sound = factor > T::constant(LEAST_FACTOR);
-                    self.step = h * if is_sound { factor } else { T::constant(LEAST_FACTOR) };
+                    self.step = h * if is_sound {
+                        factor
+                    } else {
+                        T::constant(LEAST_FACTOR)
+                    };
                     last = Some(None);
                 }
                 Err(fault) => {
@@ -302,19 +318,24 @@ impl<V: Variable<T>, T: Real> Controlled<V, T> {
     /// By what the step changes after one with that error.
     fn factor(&mut self, error: T, p: T, was_rejected: bool) -> T {
         let one = T::constant(1.0);
-        let error = if error > T::constant(LEAST_ERROR) { error } else { T::constant(LEAST_ERROR) };
+        let bounded = |x: T, least: f64, most: f64| {
+            let (least, most) = (T::constant(least), T::constant(most));
+            let x = if x > least { x } else { least };
+            if x > most { most } else { x }
+        };
+        let error = bounded(error, LEAST_ERROR, 1.0);
         let before = core::mem::replace(&mut self.error, error);
-        if V::PREFERS_EQUAL_STEPS && !was_rejected && error > T::constant(0.02) && error < T::constant(0.5) {
+        if V::PREFERS_EQUAL_STEPS && !was_rejected && error < self.steady.1 && error > self.steady.0
+        {
             return one;
         }
         let power = |x: T, exponent: f64| x.powf(T::constant(exponent) / p);
-        let factor = T::constant(SAFETY) * power(one / error, INTEGRAL) * power(before, PROPORTIONAL);
-        let most = T::constant(if was_rejected { 1.0 } else { MOST_FACTOR });
-        let factor = if factor > most { most } else { factor };
-        let least = T::constant(LEAST_FACTOR);
-        if V::PREFERS_EQUAL_STEPS && factor >= one && factor <= T::constant(STEADY) {
-            return one;
-        }
-        if factor > least { factor } else { least }
+        let factor =
+            T::constant(SAFETY) * power(one / error, INTEGRAL) * power(before, PROPORTIONAL);
+        bounded(
+            factor,
+            LEAST_FACTOR,
+            if was_rejected { 1.0 } else { MOST_FACTOR },
+        )
     }
 }

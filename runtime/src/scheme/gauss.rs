@@ -111,6 +111,9 @@ pub(crate) struct Core<M: Collocated<T>, T: Packed> {
     ratio: T,
     /// h bᵢ f(Xᵢ)
     rates: Stages<M, T>,
+    /// Squares of the sizes of its Legendre coefficients, where they are wanted.
+    spectrum: Row<T>,
+    wants_spectrum: bool,
     /// Σᵢ h bᵢ f(Xᵢ)
     change: Flat<M, T>,
     /// What the sums of increments have lost to rounding.
@@ -118,7 +121,10 @@ pub(crate) struct Core<M: Collocated<T>, T: Packed> {
 }
 
 impl<M: Collocated<T>, T: Packed> Core<M, T> {
-    pub(crate) fn new(parameters: &<M as Model<T>>::Parameters, coefficients: Coefficients<T>) -> Self {
+    pub(crate) fn new(
+        parameters: &<M as Model<T>>::Parameters,
+        coefficients: Coefficients<T>,
+    ) -> Self {
         let (zero, row) = (T::constant(0.0), [T::constant(0.0); LANES]);
         let many = packed_parameters::<M, T>(parameters);
         let mut known = <M as Model<T::Pack<LANES>>>::start(&many).to_array();
@@ -135,6 +141,8 @@ impl<M: Collocated<T>, T: Packed> Core<M, T> {
             guess: [row; LANES],
             ratio: zero,
             rates: known,
+            spectrum: row,
+            wants_spectrum: false,
             change: zeros::<M, T>(),
             lost: zeros::<M, T>(),
         }
@@ -259,6 +267,7 @@ impl<M: Collocated<T>, T: Packed> Core<M, T> {
         floor: T,
         is_alone: bool,
     ) -> (End, u32) {
+        let wants_spectrum = self.wants_spectrum;
         T::work(Sweeps::<M, T> {
             scene: &self.packed,
             alone: is_alone.then_some(&self.scene),
@@ -271,6 +280,7 @@ impl<M: Collocated<T>, T: Packed> Core<M, T> {
             weights,
             floor,
             rates: &mut self.rates,
+            spectrum: wants_spectrum.then_some((&self.coefficients.legendre, &mut self.spectrum)),
         })
     }
 
@@ -285,7 +295,9 @@ impl<M: Collocated<T>, T: Packed> Core<M, T> {
         }
         if self.taken != zero && h != self.ratio * self.taken {
             self.ratio = h / self.taken;
-            self.guess = self.coefficients.extrapolation(T::constant(1.0), self.ratio);
+            self.guess = self
+                .coefficients
+                .extrapolation(T::constant(1.0), self.ratio);
         }
     }
 

@@ -36,7 +36,8 @@ pub struct Simulate {
     /// model has]
     #[arg(long, value_name = "next|increment")]
     form: Option<String>,
-    /// newton on the discrete equations; or on the continuous ones rk4, midpoint, gauss2 … gauss8 (of order 4 … 16)
+    /// newton on the discrete equations; or on the continuous ones rk4, midpoint, trapezoidal, gauss2 … gauss8 (of order
+    /// 4 … 16), composition4, 6 or 8 (of midpoint rules), dopri5
     #[arg(long, value_name = "NAME", default_value = plan::NEWTON)]
     scheme: String,
     /// Set a parameter: `--set m=3`, `--set "J=diag(1,2.8,2)"`, `--set "J(2,2)=3"`
@@ -54,7 +55,8 @@ pub struct Simulate {
     /// Keep every N-th step, and the last one
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
     every: u64,
-    /// Largest accepted Newton correction, relative to the size of what it corrects [default: 1e-12]
+    /// newton: largest correction, relative to the size of what it corrects [default: 1e-12]; gauss3 … gauss8, dopri5: largest
+    /// error of a step, the length of which then follows it, with outputs every H [default: steps of H; dopri5: 1e-9]
     #[arg(long, value_name = "EPS", allow_negative_numbers = true)]
     tolerance: Option<f64>,
     /// Which unknowns Newton's method iterates on; those that enter linearly need not be [default: core]
@@ -247,6 +249,10 @@ fn pace(plan: &Plan, statistics: &Statistics, elapsed: Duration) -> String {
     let mut text = format!("{steps} steps of {step} to t = {end} in {elapsed:.1?}");
     if let Some(iterations) = iterations(statistics) {
         text = format!("{text}, {iterations}");
+    }
+    if statistics.accepted > 0 {
+        let (accepted, rejected) = (statistics.accepted, statistics.rejected);
+        text = format!("{text}, {accepted} steps between of any length, {rejected} rejected");
     }
     match statistics.fallbacks {
         0 => text,

@@ -7,6 +7,7 @@ use crate::failure::Failure;
 use crate::notation::number;
 use crate::values;
 use residua::Catalogued;
+use residua::Tolerance;
 use residua::description::{Description, Variable};
 use residua::erased::{self, AnyFlow, AnySolver};
 
@@ -144,6 +145,16 @@ fn scheme(options: &Simulate, model: &Catalogued) -> Result<Scheme, Failure> {
         Failure::input_with_help(
             format!("`{name}` has no continuous equations for {word}"),
             "give its model file a `flow { … }`",
+        )
+    })?;
+    let Some(tolerance) = options.tolerance else {
+        return Ok(Scheme::Flow(flow, scheme));
+    };
+    let within = scheme.within(Tolerance::both(tolerance));
+    let scheme = within.ok_or_else(|| {
+        Failure::input_with_help(
+            format!("{word} has no error estimate that could keep to a tolerance"),
+            "gauss3 … gauss8 and dopri5 have one",
         )
     })?;
     Ok(Scheme::Flow(flow, scheme))

@@ -5,10 +5,10 @@ use std::string::ToString;
 use std::vec::Vec;
 
 use super::Run;
-use crate::erased::Scheme;
 use crate::Catalogued;
 use crate::RunError;
 use crate::Settings;
+use crate::erased::Scheme;
 use crate::specimens::pendulum::MODEL;
 
 const RUN: Run = Run {
@@ -37,10 +37,13 @@ fn shown(run: &Run) -> [Vec<u64>; 2] {
         ControlFlow::Continue(())
     });
     assert_eq!(result.unwrap().steps, run.steps);
-    let result = MODEL.flow.unwrap().simulate(Scheme::RungeKutta4, run, &mut |sample| {
-        explicit.push(sample.step);
-        ControlFlow::Continue(())
-    });
+    let result = MODEL
+        .flow
+        .unwrap()
+        .simulate(Scheme::RungeKutta4, run, &mut |sample| {
+            explicit.push(sample.step);
+            ControlFlow::Continue(())
+        });
     assert_eq!(result.unwrap().flows, 4 * run.steps);
     [implicit, explicit]
 }

@@ -20,7 +20,7 @@ pub(crate) struct Coefficients<T> {
     pub(crate) b: Row<T>,
     /// Columns of μᵢⱼ = aᵢⱼ/bⱼ, with μᵢⱼ + μⱼᵢ = 1 exactly.
     pub(crate) mu: [Row<T>; LANES],
-    /// (2k + 1) Pₖ(cⱼ): row k, column j.
+    /// Columns of (2k + 1) Pₖ(cⱼ), which takes h bⱼ f(Xⱼ) to the coefficients of h f: column j, row k.
     pub(crate) legendre: [Row<T>; LANES],
 }
 
@@ -53,7 +53,7 @@ impl<T: Real> Coefficients<T> {
                     large if large > 0.5 => number(tableau.mu[i][j]),
                     _ => T::constant(1.0) - number(tableau.mu[j][i]),
                 };
-                legendre[i][j] = number(tableau.legendre[i][j].div(tableau.b[j]));
+                legendre[j][i] = number(tableau.legendre[i][j].div(tableau.b[j]));
             }
         }
         Self {
@@ -93,8 +93,8 @@ impl<T: Real> Coefficients<T> {
         rule.c[0] = zero;
         (rule.b[0], rule.b[1]) = (half, half);
         (rule.mu[0][1], rule.mu[1][1]) = (one, one);
-        (rule.legendre[0][0], rule.legendre[0][1]) = (one, one);
-        (rule.legendre[1][0], rule.legendre[1][1]) = (-one, one);
+        (rule.legendre[0][0], rule.legendre[1][0]) = (one, one);
+        (rule.legendre[0][1], rule.legendre[1][1]) = (-one, one);
         rule
     }
 
@@ -108,7 +108,7 @@ impl<T: Real> Coefficients<T> {
         let values = self.c.map(|c| legendre::<T>(from + ratio * c));
         for k in 0..s {
             for j in 0..s {
-                let terms = (0..s).fold(zero, |sum, m| sum + values[k][m] * self.legendre[m][j]);
+                let terms = (0..s).fold(zero, |sum, m| sum + values[k][m] * self.legendre[j][m]);
                 rates[j][k] = ratio * self.b[k] * terms;
             }
         }

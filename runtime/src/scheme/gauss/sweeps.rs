@@ -49,6 +49,8 @@ pub(super) struct Sweeps<'a, M: Collocated<T>, T: Packed> {
     pub(super) floor: T,
     /// Overwritten with h bᵢ f(Xᵢ).
     pub(super) rates: &'a mut Stages<M, T>,
+    /// Columns from the rates to their Legendre coefficients, and where the squares of their sizes go, if they are wanted.
+    pub(super) spectrum: Option<(&'a [Row<T>; LANES], &'a mut Row<T>)>,
 }
 
 /// How sweeps ended.
@@ -91,6 +93,17 @@ impl<M: Collocated<T>, T: Packed> Work<T> for Sweeps<'_, M, T> {
             if is_last {
                 for (to, rate) in self.rates.as_mut().iter_mut().zip(rates.as_ref()) {
                     *to = T::Pack::pack(product(rate.numbers(), &hb));
+                }
+                if let Some((columns, squares)) = self.spectrum {
+                    let increments = core::hint::black_box(self.rates.as_ref());
+                    *squares = [zero; LANES];
+                    for (row, weight) in increments.iter().zip(weights) {
+                        let coefficients = arithmetic.combine(columns, row.numbers());
+                        for (square, coefficient) in squares.iter_mut().zip(coefficients) {
+                            let size = coefficient * *weight;
+                            *square = *square + size * size;
+                        }
+                    }
                 }
                 return (End::Converged, sweeps);
             }

@@ -55,8 +55,10 @@ impl<M: Collocated<T>, const S: usize, T: Packed> Variable<T> for VariableGauss<
     fn new(parameters: &<M as Model<T>>::Parameters) -> Self {
         const { assert!(S >= 3 && S <= LANES, "3 to 8 stages") };
         let zero = T::constant(0.0);
+        let mut core = Core::new(parameters, Coefficients::new(S));
+        core.wants_spectrum = true;
         Self {
-            core: Core::new(parameters, Coefficients::new(S)),
+            core,
             t: zero,
             start: zeros::<M, T>(),
             weights: zeros::<M, T>(),
@@ -89,21 +91,18 @@ impl<M: Collocated<T>, const S: usize, T: Packed> Variable<T> for VariableGauss<
         if !self.core.has_past() {
             self.core.begin(t, x, h, statistics);
         }
-        let sweeps = self.core.solve(t, x, h, &self.weights, self.floor, statistics)?;
+        let sweeps = self
+            .core
+            .solve(t, x, h, &self.weights, self.floor, statistics)?;
         require_finite(self.core.change)?;
 
-        let legendre = &self.core.coefficients.legendre;
-        let (mut low, mut high) = (zero, zero);
-        let rows = self.core.rates.as_ref().iter().zip(self.weights.as_ref());
-        for (row, weight) in rows {
-            let size = |k: usize| {
-                let terms = legendre[k].iter().zip(row.numbers());
-                terms.fold(zero, |sum, (p, l)| sum + *p * *l).abs() * *weight
-            };
-            low = larger(low, larger(size(0), size(1)));
-            high = larger(high, size(S - 1));
-        }
-        let error = if low > zero { share * high * high / low } else { zero };
+        let sizes = &self.core.spectrum;
+        let low = larger(sizes[0], sizes[1]).sqrt();
+        let error = if low > zero {
+            share * sizes[S - 1] / low
+        } else {
+            zero
+        };
         Ok(Attempt {
             error,
             iterations: sweeps as usize,
@@ -140,7 +139,14 @@ impl<M: Collocated<T>, const S: usize, T: Packed> Variable<T> for VariableGauss<
         core.follow(zero, theta);
         let mut unused = Statistics::default();
         let h = theta * step.h;
-        let solved = core.solve(step.t, &step.start, h, &step.weights, self.floor, &mut unused);
+        let solved = core.solve(
+            step.t,
+            &step.start,
+            h,
+            &step.weights,
+            self.floor,
+            &mut unused,
+        );
         if solved.is_ok() {
             return compensated_sums(&step.start, &core.change, &step.lost).0;
         }
@@ -149,8 +155,8 @@ impl<M: Collocated<T>, const S: usize, T: Packed> Variable<T> for VariableGauss<
         let mut x = step.start;
         for (x, row) in x.as_mut().iter_mut().zip(self.core.known.as_ref()) {
             for k in 0..S.min(LANES - 1) {
-                let terms = self.core.coefficients.legendre[k].iter().zip(row.numbers());
-                let coefficient = terms.fold(zero, |sum, (p, l)| sum + *p * *l);
+                let terms = self.core.coefficients.legendre.iter().zip(row.numbers());
+                let coefficient = terms.fold(zero, |sum, (p, l)| sum + p[k] * *l);
                 let below = if k == 0 { -one } else { p[k - 1] };
                 let integral = (p[k + 1] - below) / T::constant((4 * k + 2) as f64);
                 *x = *x + integral * coefficient;

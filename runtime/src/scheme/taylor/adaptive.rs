@@ -215,7 +215,11 @@ impl<M: Series<T>, T: Convolved> Adaptive<M, T> {
         let [last, before] = [p, p - 1].map(|n| root::root(self.size(n), n));
         // False for NaN.
         let theta = if last < before { last } else { before };
-        let theta = if theta < GROWTH / SAFETY { theta } else { GROWTH / SAFETY };
+        let theta = if theta < GROWTH / SAFETY {
+            theta
+        } else {
+            GROWTH / SAFETY
+        };
         let length = self.expansion.unit() * T::constant(theta * SAFETY);
         if length.is_finite() && t + length != t {
             return Ok(length);
@@ -231,7 +235,10 @@ impl<M: Series<T>, T: Convolved> Adaptive<M, T> {
     #[inline]
     fn size(&self, n: usize) -> f64 {
         let coefficients = self.expansion.coefficients();
-        let pairs = coefficients[n].as_ref().iter().zip(coefficients[0].as_ref());
+        let pairs = coefficients[n]
+            .as_ref()
+            .iter()
+            .zip(coefficients[0].as_ref());
         let mut largest = 0.0;
         for (term, x) in pairs {
             let tolerance = self.tolerance.of(*x, *x);

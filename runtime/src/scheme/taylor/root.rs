@@ -29,7 +29,11 @@ pub(super) fn root(x: f64, n: usize) -> f64 {
 /// The largest whole number that is not above x, |x| < 2⁵³.
 fn floor(x: f64) -> f64 {
     let towards_zero = x as i64 as f64;
-    if towards_zero > x { towards_zero - 1.0 } else { towards_zero }
+    if towards_zero > x {
+        towards_zero - 1.0
+    } else {
+        towards_zero
+    }
 }
 
 #[cfg(test)]
