@@ -1,14 +1,9 @@
 //! Who takes part: schemes on formulations.
 
+use super::integrator::Integrator;
 use super::problem::Formulation;
 use super::problem::Problem;
 use super::row::OURS;
-use crate::study::Method;
-use residua::erased::Sample;
-use std::ops::ControlFlow;
-
-/// States at which the drift of invariants is looked for.
-const LOOKS: u64 = 4096;
 
 /// The steps and tolerances that are tried, coarsest first.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,7 +38,7 @@ pub struct Effort {
 }
 
 /// Takes states on the way.
-pub type Visit<'v> = &'v mut dyn FnMut(&[f64]);
+pub type Visit<'v> = &'v mut (dyn FnMut(&[f64]) + 'v);
 
 type Solve<'a> = dyn Fn(Rung, Option<Visit<'_>>) -> Result<(Vec<f64>, Effort), String> + 'a;
 
@@ -56,7 +51,7 @@ pub struct Contestant<'a> {
     /// Whose it is: [`OURS`], or the name of a crate.
     pub by: &'static str,
     /// Its order in theory, of schemes with a fixed one.
-    pub order: Option<i32>,
+    pub order: Option<usize>,
     /// What is tried.
     pub rungs: Vec<Rung>,
     solve: Box<Solve<'a>>,
@@ -104,16 +99,20 @@ impl Ladders {
 /// All schemes on all formulations of a problem, ours first.
 pub fn contestants<'a>(problem: &'a Problem, ladders: &Ladders) -> Vec<Contestant<'a>> {
     let mut list = Vec::new();
-    let rungs = ladders.steps(problem.until);
     for formulation in &problem.formulations {
-        for method in Method::of(formulation.case.model) {
+        for integrator in Integrator::of(formulation.case.model) {
+            let (case, until) = (&formulation.case, problem.until);
+            let order = integrator.order();
             list.push(Contestant {
                 formulation,
-                scheme: method.name().to_owned(),
+                scheme: integrator.name(),
                 by: OURS,
-                order: Some(method.order()),
-                rungs: rungs.clone(),
-                solve: Box::new(move |rung, visit| run(formulation, method, rung, visit)),
+                order,
+                rungs: match order {
+                    Some(_) => ladders.steps(until),
+                    None => ladders.tolerances(),
+                },
+                solve: Box::new(move |rung, visit| integrator.solve(case, until, rung, visit)),
             });
         }
     }
@@ -161,34 +160,4 @@ fn rivals<'a>(
             }
         })
     })
-}
-
-fn run(
-    formulation: &Formulation,
-    method: Method,
-    rung: Rung,
-    visit: Option<Visit<'_>>,
-) -> Result<(Vec<f64>, Effort), String> {
-    let Rung::Step { h, steps } = rung else {
-        return Err("it takes steps of one length".to_owned());
-    };
-    let mut run = formulation.case.run(h, steps);
-    run.every = visit.is_some().then(|| steps.div_ceil(LOOKS)).unwrap_or(0);
-    let mut end = (0, Vec::new());
-    let mut visit = visit;
-    let outcome = method.simulate(&run, &mut |sample: Sample<'_>| {
-        if let Some(visit) = &mut visit {
-            visit(sample.state);
-        }
-        if sample.step == steps {
-            end = (sample.step, sample.state.to_vec());
-        }
-        ControlFlow::Continue(())
-    });
-    let statistics = outcome.map_err(|error| error.to_string())?;
-    if end.0 != steps {
-        return Err("it ends early".to_owned());
-    }
-    let evaluations = statistics.iterations;
-    Ok((end.1, Effort { steps, evaluations }))
 }

@@ -12,6 +12,7 @@
 
 mod contest;
 mod diagram;
+mod integrator;
 mod measure;
 mod meter;
 mod problem;

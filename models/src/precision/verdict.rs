@@ -6,6 +6,9 @@ use super::row::Row;
 /// Errors that a verdict is passed on.
 pub const LEVELS: [f64; 5] = [1e-3, 1e-6, 1e-9, 1e-11, 1e-12];
 
+/// Errors of the trajectory from which on a run does not take the motion any more, whatever it conserves.
+const LOST: f64 = 1e-2;
+
 /// The fastest runs that are at least so exact.
 #[derive(Clone, Copy, Debug)]
 pub struct Verdict<'r> {
@@ -36,6 +39,6 @@ pub fn verdicts<'r>(rows: &'r [Row], kind: Kind, levels: &[f64]) -> Vec<Verdict<
 /// The row is so exact, and not by luck: the next finer one is too. A NaN is neither.
 fn is_exact(rows: &[Row], i: usize, kind: Kind, level: f64) -> bool {
     let finer = rows.get(i + 1).filter(|row| row.is_of_lane(&rows[i]));
-    let is_exact = |row: &Row| row.error(kind) <= level;
+    let is_exact = |row: &Row| row.error(kind) <= level && row.trajectory <= LOST;
     rows[i].seconds.is_finite() && is_exact(&rows[i]) && finer.is_none_or(is_exact)
 }
