@@ -49,6 +49,8 @@ pub struct Problem {
     pub source: &'static str,
     /// What the exact motion is given in.
     pub reference: Case,
+    /// The largest size of the variable that each component of the reference's state belongs to.
+    pub scales: Vec<f64>,
     /// The motion about its end.
     pub piece: Piece,
     /// Models that take it, those that were asked for.
@@ -107,11 +109,14 @@ impl Given {
     /// The scene or model of that name, to its own end or another.
     ///
     /// # Errors
-    /// Where there is none, or it has no continuous equations.
+    /// Where there is none.
     pub fn named(name: &str, until: Option<f64>) -> Result<Self, Unsolvable> {
         match study::SCENES.iter().find(|scene| scene.name == name) {
             Some(scene) => Self::of_study(scene, until),
-            None => Self::of_entry(name, until),
+            None => {
+                let entry = find_scene(name)?;
+                Ok(Self::of_case(Case::of_file(entry.catalogued), until))
+            }
         }
     }
 
@@ -130,15 +135,10 @@ impl Given {
         })
     }
 
-    fn of_entry(name: &str, until: Option<f64>) -> Result<Self, Unsolvable> {
-        let known = study::SCENES.iter().map(|scene| scene.name);
-        let entry = find(name).map_err(|unknown| {
-            let nearest = unknown.nearest.or_else(|| nearest(name, known));
-            Unsolvable::UnknownScene(UnknownModel { nearest, ..unknown })
-        })?;
-        let reference = Case::of_file(entry.catalogued);
-        let description = entry.catalogued.description;
-        let scene = description.scene;
+    /// The motion of a model from any start, to the end that its scene gives it or another.
+    pub fn of_case(reference: Case, until: Option<f64>) -> Self {
+        let description = reference.model.description;
+        let (name, scene) = (description.name, description.scene);
         let rates: Vec<f64> = named_states(&reference)
             .filter(|(state, _)| state.unit.contains("/s"))
             .flat_map(|(_, values)| values.to_vec())
@@ -160,7 +160,7 @@ impl Given {
             let scenes = scenes_of(&base, &rates);
             candidates.extend(scenes.filter(|case| case.model.description.name != name));
         }
-        Ok(Self {
+        Self {
             reference,
             until: until.unwrap_or_else(|| scene.map_or(UNTIL, |scene| scene.until)),
             caption: description
@@ -172,8 +172,16 @@ impl Given {
                 .to_owned(),
             candidates,
             scene: None,
-        })
+        }
     }
+}
+
+fn find_scene(name: &str) -> Result<&'static Entry, Unsolvable> {
+    let known = study::SCENES.iter().map(|scene| scene.name);
+    find(name).map_err(|unknown| {
+        let nearest = unknown.nearest.or_else(|| nearest(name, known));
+        Unsolvable::UnknownScene(UnknownModel { nearest, ..unknown })
+    })
 }
 
 /// The model that a scene is of, with the parameters of the scene and those start values that it has.
@@ -304,14 +312,16 @@ impl Problem {
         }
         formulations
             .retain(|of| models.is_empty() || models.iter().any(|model| model == of.name()));
-        let (exact, source) = exact(&reference, flow, until, given.scene.as_ref())?;
-        let scales = of_reference[0].scales();
-        let piece = Piece::new(&reference, &exact.state, until, scales);
+        let (rate, scales) = extent(&reference, flow, until);
+        let (exact, source) = exact(&reference, rate, until, given.scene.as_ref())?;
+        let sizes = of_reference[0].scales();
+        let piece = Piece::new(&reference, &exact.state, until, sizes);
         Ok(Self {
             name: name.to_owned(),
             caption: given.caption,
             until,
             source,
+            scales,
             piece: piece.ok_or_else(|| Unsolvable::NoMotion(name.to_owned()))?,
             exact,
             reference,
@@ -331,7 +341,7 @@ impl Formulation {
 /// digits.
 fn exact(
     reference: &Case,
-    flow: &dyn AnyFlow,
+    rate: f64,
     until: f64,
     scene: Option<&study::Scene>,
 ) -> Result<(Reference, &'static str), Unsolvable> {
@@ -343,17 +353,16 @@ fn exact(
     let name = reference.model.description.name;
     let extended = find(name).ok().and_then(|entry| entry.extended);
     let extended = extended.ok_or_else(|| Unsolvable::WithoutFlow(name.to_owned()))?;
-    let longest = LONGEST / fastest(reference, flow, until);
     let Case {
         parameters, start, ..
     } = reference;
-    let exact = extended.solve(parameters, start, until, longest.min(until));
+    let exact = extended.solve(parameters, start, until, (LONGEST / rate).min(until));
     let exact = exact.map_err(Unsolvable::Invalid)?;
     Ok((exact, "extrapolation with 31 digits"))
 }
 
-/// The largest change of a variable per time, relative to its largest size, 1/s.
-fn fastest(case: &Case, flow: &dyn AnyFlow, until: f64) -> f64 {
+/// The largest change of a variable per time, relative to its largest size, 1/s, and that size for each component.
+fn extent(case: &Case, flow: &dyn AnyFlow, until: f64) -> (f64, Vec<f64>) {
     let (steps, looks) = LOOKS;
     let mut run = case.run(until / steps as f64, steps);
     run.every = steps / looks;
@@ -372,6 +381,7 @@ fn fastest(case: &Case, flow: &dyn AnyFlow, until: f64) -> f64 {
         })
         .collect();
     let mut fastest = 1.0 / until;
+    let mut scales = Vec::new();
     let mut offset = 0;
     for state in case.model.description.states {
         let own = offset..offset + size(state);
@@ -384,8 +394,9 @@ fn fastest(case: &Case, flow: &dyn AnyFlow, until: f64) -> f64 {
         if size > 0.0 && (change / size).is_finite() {
             fastest = f64::max(fastest, change / size);
         }
+        scales.extend(own.map(|_| if size > 0.0 { size } else { 1.0 }));
     }
-    fastest
+    (fastest, scales)
 }
 
 impl fmt::Display for Unsolvable {

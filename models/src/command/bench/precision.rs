@@ -1,15 +1,19 @@
 //! `residua bench precision`: time against error.
 
+use crate::assignment::{Assignment, parse};
 use crate::failure::Failure;
 use crate::notation::{number, power_of_ten};
 use crate::plot::logarithmic_svg;
+use crate::simulate::plan::assigned;
 use crate::table::Table;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
+use residua_models::find;
 use residua_models::precision::{
-    Budget, Contestant, Given, Kind, LEVELS, Ladders, OURS, Problem, Row, Unsolvable, Verdict,
+    Budget, Contestant, Given, Kind, LEVELS, Ladders, Problem, Row, Unsolvable, Verdict,
     contestants, measure, name, picture, verdicts, write,
 };
+use residua_models::study::Case;
 use serde_json::{Map, Value, json};
 use std::fs::{self, File};
 use std::io::BufWriter;
@@ -28,6 +32,12 @@ pub struct Precision {
     /// Scenes and models from `residua list`, or a scene of the report such as planar-large
     #[arg(required = true)]
     scenes: Vec<String>,
+    /// Set a parameter of a model, as in `simulate`
+    #[arg(long, value_name = "NAME=EXPR", value_parser = parse)]
+    set: Vec<Assignment>,
+    /// Set a start value of a model, as in `simulate`
+    #[arg(long, value_name = "NAME=EXPR", value_parser = parse)]
+    start: Vec<Assignment>,
     /// Formulations to take part, separated by commas [default: all models of the same motion]
     #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     models: Vec<String>,
@@ -81,10 +91,10 @@ impl Precision {
     /// Measures all scenes.
     pub fn run(self) -> Result<(), Failure> {
         self.refuse_invalid()?;
-        let given = self.scenes.iter().map(|scene| {
-            let given = Given::named(scene, self.until).map_err(in_words)?;
-            Ok((scene, given))
-        });
+        let given = self
+            .scenes
+            .iter()
+            .map(|scene| Ok((scene, self.given(scene)?)));
         // Names are checked before anything is measured.
         let given = given.collect::<Result<Vec<_>, Failure>>()?;
         if let Some(folder) = &self.out {
@@ -100,6 +110,27 @@ impl Precision {
             }
         }
         Ok(())
+    }
+
+    fn given(&self, scene: &str) -> Result<Given, Failure> {
+        let given = Given::named(scene, self.until).map_err(in_words)?;
+        if self.set.is_empty() && self.start.is_empty() {
+            return Ok(given);
+        }
+        let Ok(entry) = find(scene) else {
+            return Err(Failure::input_with_help(
+                format!("the scene `{scene}` has values of its own"),
+                "give --set and --start with a model from `residua list`",
+            ));
+        };
+        let model = entry.catalogued;
+        let (parameters, start) = assigned(model, &self.set, &self.start)?;
+        let case = Case {
+            model,
+            parameters,
+            start,
+        };
+        Ok(Given::of_case(case, self.until))
     }
 
     fn refuse_invalid(&self) -> Result<(), Failure> {
@@ -311,6 +342,13 @@ fn keep(problem: &Problem, rows: &[Row], folder: &Path) -> Result<(), Failure> {
 fn described(problem: &Problem) -> Value {
     let case = &problem.reference;
     let description = case.model.description;
+    let ascii = |name: &str| {
+        let scene = description.scene.and_then(|scene| find(scene.model).ok());
+        let whole = scene.map_or(case.model, |entry| entry.catalogued);
+        let mut parameters = whole.description.parameters.iter();
+        let found = parameters.find(|parameter| parameter.name == name);
+        found.map_or(name, |parameter| parameter.ascii).to_owned()
+    };
     let record = |variables: &'static [residua::description::Variable], values: &[f64]| {
         let mut rest = values;
         let mut record = Map::new();
@@ -324,7 +362,7 @@ fn described(problem: &Problem) -> Value {
     // What a scene folds in is a parameter to others.
     let mut parameters = record(description.parameters, &case.parameters);
     for fixed in description.scene.iter().flat_map(|scene| scene.fixed) {
-        parameters.insert(fixed.name.to_owned(), json!(fixed.values));
+        parameters.insert(ascii(fixed.name), json!(fixed.values));
     }
     json!({
         "scene": problem.name,
@@ -334,8 +372,8 @@ fn described(problem: &Problem) -> Value {
         "parameters": parameters,
         "start": record(description.states, &case.start),
         "end": record(description.states, &problem.exact.state),
+        "scales": record(description.states, &problem.scales),
         "uncertainty": problem.exact.error,
-        "ours": OURS,
     })
 }
 
