@@ -90,7 +90,11 @@ fn expansion(series: &Series) -> Expansion {
     let kernels = [
         ("rates", Rate::Iteration, series.rates.clone()),
         ("starts", Rate::Iteration, rows(&series.starts, series.zero)),
-        ("factors", Rate::Iteration, rows(&series.products, series.zero)),
+        (
+            "factors",
+            Rate::Iteration,
+            rows(&series.products, series.zero),
+        ),
         ("next", Rate::Iteration, next),
     ];
     let (mut values, roots) = shared(&series.dag, &kernels);

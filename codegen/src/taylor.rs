@@ -22,8 +22,6 @@
 
 mod function;
 mod part;
-#[cfg(test)]
-mod tests;
 
 use crate::dag::Dag;
 use crate::dag::Elementary;
@@ -117,8 +115,15 @@ impl Builder {
     /// Π aᵢ^eᵢ: what does not change with time in front, the rest over what has negative powers.
     fn product(&mut self, factors: &[(NodeId, i32)]) -> Option<NodeId> {
         let is_changing = |f: &&(NodeId, i32)| self.newest[f.0.index()].is_some();
-        let fixed: Vec<_> = factors.iter().filter(|f| !is_changing(f)).copied().collect();
-        let above = factors.iter().filter(|f| is_changing(f) && f.1 > 0).copied();
+        let fixed: Vec<_> = factors
+            .iter()
+            .filter(|f| !is_changing(f))
+            .copied()
+            .collect();
+        let above = factors
+            .iter()
+            .filter(|f| is_changing(f) && f.1 > 0)
+            .copied();
         let above: Vec<_> = above.collect();
         let below = factors.iter().filter(|f| is_changing(f) && f.1 < 0);
         let below: Vec<_> = below.map(|(id, e)| (*id, -e)).collect();

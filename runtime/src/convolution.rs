@@ -42,8 +42,8 @@ pub trait Convolve<T>: Copy {
 }
 
 /// One number after the other, products rounded.
-#[derive(Clone, Copy)]
-struct Each;
+#[derive(Clone, Copy, Debug)]
+pub struct Each;
 
 impl<T: Scalar> Convolve<T> for Each {
     #[inline(always)]

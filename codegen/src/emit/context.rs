@@ -88,7 +88,10 @@ impl<'a> Context<'a> {
             group("newest", (0..n).collect()),
             group("order", (n..n + Series::GIVEN).collect()),
             group("sums", sums.map(|lane| Series::sum(n, lane)).collect()),
-            group("products", products.map(|lane| Series::product(n, lane)).collect()),
+            group(
+                "products",
+                products.map(|lane| Series::product(n, lane)).collect(),
+            ),
         ];
         let variables = Variables::of_series(model, expansion);
         Self::with_unknowns(model, &variables, &expansion.schedule, groups)

@@ -17,7 +17,9 @@ pub(super) fn emit(model: &Model, expansion: &Expansion) -> TokenStream {
     let mut context = Context::of_series(model, expansion);
     let caches = [
         context.scene.declare("What depends on parameters only."),
-        context.step.declare("What depends on the start of the step only."),
+        context
+            .step
+            .declare("What depends on the start of the step only."),
     ];
     let (scene_type, step_type) = (context.scene.ty(), context.step.ty());
     let functions = [

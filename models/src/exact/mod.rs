@@ -16,6 +16,7 @@ mod extrapolation;
 mod flow;
 mod free_body;
 mod planar;
+mod reference;
 mod spatial;
 
 pub use double::Double;
@@ -31,6 +32,7 @@ pub use free_body::FreeBody;
 pub use planar::PlanarPendulum;
 pub use planar::PlanarState;
 pub use planar::Regime;
+pub use reference::reference;
 pub use spatial::Solution;
 pub use spatial::SpatialPendulum;
 pub use spatial::SpatialState;

@@ -1,8 +1,31 @@
 //! What generated code may ask of a number.
 
+use residua::Real;
 use residua::Scalar;
+use residua::convolution::Convolutions;
+use residua::convolution::Convolved;
+use residua::convolution::Each;
 
 use super::Double;
+
+impl Real for Double {
+    /// Sums and products are within 2⁻¹⁰⁰.
+    const EPSILON: Self = Self::new(f64::EPSILON * f64::EPSILON, 0.0);
+
+    fn is_finite(self) -> bool {
+        Double::is_finite(self)
+    }
+
+    fn to_f64(self) -> f64 {
+        Double::to_f64(self)
+    }
+}
+
+impl Convolved for Double {
+    fn convolve<W: Convolutions<Self>>(work: W) {
+        work.run(Each);
+    }
+}
 
 impl Scalar for Double {
     fn constant(value: f64) -> Self {

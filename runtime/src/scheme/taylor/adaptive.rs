@@ -52,6 +52,8 @@ struct Piece<X, T> {
     /// What rounding has taken from `start`.
     rest: T,
     length: T,
+    /// What the next series should be good for.
+    next: T,
     /// What the sums of steps have lost of the state at `start` to rounding.
     lost: X,
     /// The state that was given out last: what the next call has to start from.
@@ -166,7 +168,7 @@ impl<M: Series<T>, T: Convolved> Adaptive<M, T> {
             }
             unit = unit * T::constant(SHRINK);
         }
-        let length = self.length(t)?;
+        let (_, length) = self.lengths(t)?;
         self.expansion.forget();
         // Once more in units of its length: far from it, the estimate is rough.
         self.expansion.expand(t, x, length);
@@ -181,13 +183,16 @@ impl<M: Series<T>, T: Convolved> Adaptive<M, T> {
         piece: &Piece<FlatState<M, T>, T>,
         statistics: &mut Statistics,
     ) -> Result<Piece<FlatState<M, T>, T>, Fault> {
-        let theta = piece.length / self.expansion.unit();
-        let change = self.expansion.change(theta);
+        let unit = self.expansion.unit();
+        let change = match piece.length == unit {
+            true => self.expansion.increment(),
+            false => self.expansion.change(piece.length / unit),
+        };
         let start = self.expansion.coefficients()[0];
         let (sum, lost) = compensated_sums(&start, &change, &piece.lost);
         let x = require_finite(sum)?;
         let (t, rest) = compensated_sum(piece.start, piece.length + piece.rest);
-        self.expansion.expand(t, &x, piece.length);
+        self.expansion.expand(t, &x, piece.next);
         statistics.flows += 1;
         statistics.accepted += 1;
         self.piece_at((t, rest), piece.given, lost)
@@ -199,35 +204,39 @@ impl<M: Series<T>, T: Convolved> Adaptive<M, T> {
         given: FlatState<M, T>,
         lost: FlatState<M, T>,
     ) -> Result<Piece<FlatState<M, T>, T>, Fault> {
-        let length = self.length(start)?;
+        let (length, next) = self.lengths(start)?;
         Ok(Piece {
             start,
             rest,
             length,
+            next,
             lost,
             given,
         })
     }
 
-    /// How far from `t` the series is good.
-    fn length(&self, t: T) -> Result<T, Fault> {
-        let p = self.expansion.order();
-        let [last, before] = [p, p - 1].map(|n| root::root(self.size(n), n));
-        // False for NaN.
-        let theta = if last < before { last } else { before };
-        let theta = if theta < GROWTH / SAFETY {
-            theta
+    /// How far from `t` the series is used, and the next one should be. That is one unit of time where the series is good
+    /// for it, so that the state at its end needs no estimate.
+    #[inline]
+    fn lengths(&self, t: T) -> Result<(T, T), Fault> {
+        let (p, unit) = (self.expansion.order(), self.expansion.unit());
+        let last = root::root(self.size(p), p);
+        let before = root::root(self.size(p - 1), p - 1);
+        let theta = last.min(before).min(GROWTH);
+        let next = unit * T::constant(theta * SAFETY);
+        let length = if theta < 1.0 {
+            unit * T::constant(theta)
         } else {
-            GROWTH / SAFETY
+            unit
         };
-        let length = self.expansion.unit() * T::constant(theta * SAFETY);
-        if length.is_finite() && t + length != t {
-            return Ok(length);
+        let is_sound = !last.is_nan() && !before.is_nan();
+        if is_sound && length.is_finite() && t + length != t && t + next != t {
+            return Ok((length, next));
         }
         Err(Fault {
             failure: Failure::StepTooSmall,
             place: Place::State(0),
-            value: length.to_f64(),
+            value: length.abs().to_f64(),
         })
     }
 

@@ -91,11 +91,16 @@ impl<M: Series<T>, T: Convolved> Expansion<M, T> {
         let square = theta * theta;
         let mut even = self.zeros();
         let mut odd = even;
-        for n in (1..=self.order).rev() {
-            let sum = if n % 2 == 0 { &mut even } else { &mut odd };
-            let terms = self.coefficients[n].as_ref();
-            for (sum, x) in sum.as_mut().iter_mut().zip(terms) {
-                *sum = *sum * square + *x;
+        let mut highest = self.order;
+        if highest % 2 == 1 {
+            odd = self.coefficients[highest];
+            highest -= 1;
+        }
+        for pair in self.coefficients[1..=highest].rchunks_exact(2) {
+            for i in 0..even.as_ref().len() {
+                let (first, second) = (pair[0].as_ref()[i], pair[1].as_ref()[i]);
+                even.as_mut()[i] = even.as_ref()[i] * square + second;
+                odd.as_mut()[i] = odd.as_ref()[i] * square + first;
             }
         }
         for (odd, even) in odd.as_mut().iter_mut().zip(even.as_ref()) {
@@ -120,8 +125,9 @@ impl<M: Series<T>, T: Convolved> Expansion<M, T> {
     }
 }
 
-/// Two series for each lane.
+/// Two series for each lane, aligned as vectors are: one that straddles two lines of the cache takes twice as long.
 #[derive(Clone, Copy)]
+#[repr(align(64))]
 struct Lanes<L> {
     /// aₙ from order 2 on.
     left: [L; ROOM],

@@ -6,11 +6,13 @@ const DIGITS: u32 = 52;
 const ONE: f64 = 1023.0;
 
 /// log₂ x for x > 0, off by 0.09 at most: log₂(1 + m) ≈ m (Mitchell 1962).
+#[inline]
 pub(super) fn log2(x: f64) -> f64 {
-    x.to_bits() as f64 / (1_u64 << DIGITS) as f64 - ONE
+    x.to_bits() as i64 as f64 / (1_u64 << DIGITS) as f64 - ONE
 }
 
 /// x^(−1/n), to 1 % for n ≥ 8 and 7 % for n ≥ 1; infinite for 0, and 0 or less for what is infinite or NaN.
+#[inline]
 pub(super) fn root(x: f64, n: usize) -> f64 {
     if x == 0.0 {
         return f64::INFINITY;
