@@ -25,3 +25,17 @@ pub use runge_kutta::Explicit;
 pub use runge_kutta::RungeKutta4;
 pub use trapezoidal::Ends;
 pub use trapezoidal::Trapezoidal;
+
+use crate::integration::FlatState;
+use crate::model::Flow;
+use crate::scalar::Scalar;
+
+/// dx/dt, compiled once: flows are inlined where all stages are computed at a time, and that is where it pays.
+#[inline(never)]
+pub(crate) fn rates<M: Flow<T>, T: Scalar>(
+    scene: &M::FlowScene,
+    t: T,
+    x: &FlatState<M, T>,
+) -> FlatState<M, T> {
+    M::flow(scene, t, x)
+}

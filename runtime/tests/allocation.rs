@@ -1,9 +1,12 @@
 //! A step allocates nothing, whether it succeeds or fails.
 
+use residua::Adaptive;
+use residua::Gauss;
 use residua::Model as _;
 use residua::RungeKutta4;
 use residua::Settings;
 use residua::Stepper;
+use residua::VariableGauss;
 
 use pendulum::Model;
 use pendulum::Next;
@@ -23,9 +26,14 @@ fn steps_do_not_allocate() {
     let counted = allocation_counter::measure(|| {
         let mut implicit = Stepper::<Next>::new(parameters, start, 0.01).unwrap();
         let mut explicit = RungeKutta4::<Model>::new(parameters, start, 0.01).unwrap();
+        let mut gauss = Gauss::<Model, 8>::new(parameters, start, 0.01).unwrap();
+        let mut adaptive =
+            Adaptive::<VariableGauss<Model, 8, f64>>::new(parameters, start, 0.01).unwrap();
         for _ in 0..STEPS {
             implicit.step().unwrap();
             explicit.step().unwrap();
+            gauss.step().unwrap();
+            adaptive.step().unwrap();
         }
         assert_eq!(implicit.steps(), STEPS);
     });

@@ -96,7 +96,10 @@ fn outputs_between_steps_are_as_exact() {
     }
 }
 
-/// log₂ of the ratio of errors is the order, until rounding is near.
+/// Below, the rounding of some hundred steps shows.
+const LEAST_ERROR: f64 = 2e-12;
+
+/// Errors are proportional to hᵖ until rounding is near.
 #[test]
 fn orders_are_what_theory_says() {
     let model = residua_models::find("spatial_reduced").unwrap().catalogued;
@@ -112,28 +115,83 @@ fn orders_are_what_theory_says() {
             let found = end(&case, flow, scheme, 1.0 / steps as f64, steps);
             distance(&found, &truth)
         };
-        // From where errors are 1e-2 and fall, to where a twelfth of their digits is rounding.
-        let mut orders = Vec::new();
-        let mut steps = 20;
-        let mut before = f64::NAN;
-        while steps <= 5120 {
-            let now = error(steps);
-            if now < 1e-12 {
+        // Between errors that are large and such that are rounding.
+        let mut errors = Vec::new();
+        // Longer steps of low order have no solution.
+        let mut steps = match scheme.order() {
+            0..=8 => 20,
+            9..=12 => 10,
+            _ => 5,
+        };
+        while steps <= 4000 {
+            let off = error(steps);
+            if off < LEAST_ERROR {
                 break;
             }
-            if before < 1e-4 {
-                orders.push((before / now).log2());
+            if off < 1e-4 {
+                errors.push((steps as f64, off));
             }
-            before = now;
-            steps *= 2;
+            steps += u64::max(1, steps / 5);
         }
-        println!("{} {orders:.2?}", scheme.name());
+        let slope =
+            |pair: &[(f64, f64)]| (pair[0].1 / pair[3].1).ln() / (pair[3].0 / pair[0].0).ln();
+        let orders: Vec<f64> = errors.windows(4).map(slope).collect();
         let last = orders.last().copied().unwrap_or(f64::NAN);
+        // Of orders 14 and 16 rounding is reached before the error is hᵖ alone: the slope is still on its way.
+        let off = if scheme.order() > 12 { 1.0 } else { 0.25 };
         let expected = scheme.order() as f64;
         assert!(
-            (last - expected).abs() <= 0.25,
+            (last - expected).abs() <= off,
             "{}: {orders:?}",
             scheme.name()
         );
     }
+}
+
+/// A spring a million times as stiff as its mass, in steps ten times longer than its period allows sweeps: Newton's method
+/// takes them, and the slow swing is that of a rod.
+#[test]
+fn a_stiff_spring_swings_like_a_rod() {
+    let model = residua_models::find("elastic").unwrap().catalogued;
+    let mut case = Case::of_file(model);
+    let position = model
+        .description
+        .parameters
+        .iter()
+        .position(|p| p.name == "c");
+    case.parameters[position.unwrap()] = 1e6;
+    // r = l and p = 0 leave the spring to start at rest, and it stretches by g/c = 1e-5: so far off is the rod.
+    let flow = model.flow.unwrap();
+    let rod = residua_models::find("planar_angle").unwrap().catalogued;
+    let mut rigid = Case::of_file(rod);
+    for (parameter, value) in rod.description.parameters.iter().zip(&mut rigid.parameters) {
+        *value = if parameter.name == "g" { 9.81 } else { 1.0 };
+    }
+    rigid.start = vec![0.0, 1.2];
+    let truth = end(
+        &rigid,
+        rod.flow.unwrap(),
+        Scheme::Gauss { stages: 8 },
+        0.02,
+        50,
+    );
+    let mut statistics = None;
+    let mut last = Vec::new();
+    for stages in [1, 3] {
+        let outcome = flow.simulate(
+            Scheme::Gauss { stages },
+            &case.run(0.01, 100, 0),
+            &mut |sample| {
+                last = sample.state.to_vec();
+                statistics = Some(sample.statistics);
+                ControlFlow::Continue(())
+            },
+        );
+        outcome.unwrap_or_else(|error| panic!("{error}"));
+        assert!((last[1] - truth[1]).abs() < 1e-3, "{last:?} {truth:?}");
+    }
+    assert!(
+        statistics.is_some_and(|s| s.jacobians > 0),
+        "{statistics:?}"
+    );
 }

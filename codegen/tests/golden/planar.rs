@@ -146,6 +146,7 @@ mod flow {
             }
         }
         /// dx/dt, 3 components, lines 21 to 22: 3 multiplications.
+        #[inline(always)]
         fn flow(scene: &Scene<T>, _t: T, state: &[T; 3]) -> [T; 3] {
             let Scene { m_g_l_over_J } = *scene;
             let [omega, Gamma_x, Gamma_y] = *state;

@@ -135,6 +135,7 @@ mod flow {
             }
         }
         /// dx/dt, 3 components, lines 21 to 22: 3 multiplications.
+        #[inline(always)]
         fn flow(scene: &Scene<T>, _t: T, state: &[T; 3]) -> [T; 3] {
             let Scene { c5_886_m_over_J } = *scene;
             let [omega, Gamma_x, Gamma_y] = *state;

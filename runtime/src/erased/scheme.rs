@@ -10,11 +10,11 @@ use crate::scheme::Adaptive;
 use crate::scheme::Collocated;
 use crate::scheme::Collocation;
 use crate::scheme::Composed;
+use crate::scheme::DormandPrince5;
 use crate::scheme::Ends;
 use crate::scheme::Explicit;
-use crate::scheme::Pair;
+use crate::scheme::Gauss;
 use crate::scheme::Tolerance;
-use crate::scheme::Variable;
 use crate::scheme::VariableGauss;
 
 /// What the continuous equations are integrated with.
@@ -46,7 +46,7 @@ pub enum Scheme {
 /// A scheme with an error estimate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Embedded {
-    /// [`VariableGauss`].
+    /// [`VariableGauss`](crate::VariableGauss).
     Gauss {
         /// 3 to 8; fewer or more are taken for these.
         stages: usize,
@@ -152,14 +152,11 @@ impl Scheme {
     ) -> Result<Statistics, RunError> {
         match self {
             Self::RungeKutta4 => by::<Explicit<M, f64>>(run, observer),
-            Self::Gauss { stages: 0 | 1 } => by::<Collocation<M, 1, f64>>(run, observer),
-            Self::Gauss { stages: 2 } => by::<Collocation<M, 2, f64>>(run, observer),
-            Self::Gauss { stages: 3 } => by::<Collocation<M, 3, f64>>(run, observer),
-            Self::Gauss { stages: 4 } => by::<Collocation<M, 4, f64>>(run, observer),
-            Self::Gauss { stages: 5 } => by::<Collocation<M, 5, f64>>(run, observer),
-            Self::Gauss { stages: 6 } => by::<Collocation<M, 6, f64>>(run, observer),
-            Self::Gauss { stages: 7 } => by::<Collocation<M, 7, f64>>(run, observer),
-            Self::Gauss { .. } => by::<Collocation<M, 8, f64>>(run, observer),
+            Self::Gauss { stages } => {
+                let (parameters, start) = run.records::<M>()?;
+                let integration = Gauss::<M, 8>::new(parameters, start, run.h)?.at(run.t0)?;
+                run.through(integration.with_stages(stages), observer)
+            }
             Self::Trapezoidal => by::<Ends<M, f64>>(run, observer),
             Self::Composition { order: 0..=4 } => {
                 by::<Composed<Collocation<M, 1, f64>, 5, f64>>(run, observer)
@@ -183,23 +180,19 @@ impl Embedded {
         observer: &mut Observer,
     ) -> Result<Statistics, RunError> {
         match self {
-            Self::DormandPrince5 => within::<Pair<M, f64>>(tolerance, run, observer),
-            Self::Gauss { stages: 0..=3 } => {
-                within::<VariableGauss<M, 3, f64>>(tolerance, run, observer)
+            Self::DormandPrince5 => {
+                let (parameters, start) = run.records::<M>()?;
+                let integration = DormandPrince5::<M>::new(parameters, start, run.h)?.at(run.t0)?;
+                run.through(integration.with_tolerance(tolerance), observer)
             }
-            Self::Gauss { stages: 4 } => {
-                within::<VariableGauss<M, 4, f64>>(tolerance, run, observer)
+            Self::Gauss { stages } => {
+                let (parameters, start) = run.records::<M>()?;
+                let integration =
+                    Adaptive::<VariableGauss<M, 8, f64>>::new(parameters, start, run.h)?
+                        .at(run.t0)?;
+                let integration = integration.with_stages(stages).with_tolerance(tolerance);
+                run.through(integration, observer)
             }
-            Self::Gauss { stages: 5 } => {
-                within::<VariableGauss<M, 5, f64>>(tolerance, run, observer)
-            }
-            Self::Gauss { stages: 6 } => {
-                within::<VariableGauss<M, 6, f64>>(tolerance, run, observer)
-            }
-            Self::Gauss { stages: 7 } => {
-                within::<VariableGauss<M, 7, f64>>(tolerance, run, observer)
-            }
-            Self::Gauss { .. } => within::<VariableGauss<M, 8, f64>>(tolerance, run, observer),
         }
     }
 }
@@ -208,14 +201,4 @@ fn by<S: Method<f64>>(run: &Run, observer: &mut Observer) -> Result<Statistics, 
     let (parameters, start) = run.records::<S::Model>()?;
     let integration = Integration::<S, f64>::new(parameters, start, run.h)?.at(run.t0)?;
     run.through(integration, observer)
-}
-
-fn within<V: Variable<f64>>(
-    tolerance: Tolerance,
-    run: &Run,
-    observer: &mut Observer,
-) -> Result<Statistics, RunError> {
-    let (parameters, start) = run.records::<V::Model>()?;
-    let integration = Adaptive::<V>::new(parameters, start, run.h)?.at(run.t0)?;
-    run.through(integration.with_tolerance(tolerance), observer)
 }

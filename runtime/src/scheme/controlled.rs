@@ -1,5 +1,6 @@
 //! Steps as long as a tolerance allows.
 
+use super::rates;
 use crate::compensated::compensated_sum;
 use crate::description::Solver;
 use crate::error::Failure;
@@ -153,11 +154,8 @@ impl<V: Variable<T>, T: Real> Method<T> for Controlled<V, T> {
     fn new(parameters: &<V::Model as Model<T>>::Parameters, h: T) -> Self {
         let zero = T::constant(0.0);
         let scheme = V::new(parameters);
-        // The error that leads to a factor, at rest.
-        let p = T::constant(scheme.order() as f64);
-        let leading_to = |factor: f64| T::constant(SAFETY / factor).powf(p);
         Self {
-            steady: (leading_to(STEADY.0), leading_to(STEADY.1)),
+            steady: steady(&scheme),
             scheme,
             scene: V::Model::flow_scene(parameters),
             tolerance: Tolerance::default(),
@@ -213,7 +211,20 @@ impl<V: Variable<T>, T: Real> Method<T> for Controlled<V, T> {
     }
 }
 
+/// The errors that lead to the factors of steady steps, at rest.
+fn steady<V: Variable<T>, T: Real>(scheme: &V) -> (T, T) {
+    let p = T::constant(scheme.order() as f64);
+    let leading_to = |factor: f64| T::constant(SAFETY / factor).powf(p);
+    (leading_to(STEADY.0), leading_to(STEADY.1))
+}
+
 impl<V: Variable<T>, T: Real> Controlled<V, T> {
+    /// Makes another scheme of it, before the first step.
+    pub(crate) fn change(&mut self, change: impl FnOnce(&mut V)) {
+        change(&mut self.scheme);
+        self.steady = steady(&self.scheme);
+    }
+
     /// Starts at (t, x).
     fn begin(&mut self, t: T, x: &FlatState<V::Model, T>, statistics: &mut Statistics) {
         self.scheme.restart();
@@ -235,7 +246,7 @@ impl<V: Variable<T>, T: Real> Controlled<V, T> {
                 if size > norm { size } else { norm }
             })
         };
-        let rate = V::Model::flow(&self.scene, t, x);
+        let rate = rates::<V::Model, T>(&self.scene, t, x);
         let (d0, d1) = (norm(x), norm(&rate));
         let most = self.h.abs() * T::constant(1e3);
         let least = |a: T, b: T| if a < b { a } else { b };
@@ -249,7 +260,7 @@ impl<V: Variable<T>, T: Real> Controlled<V, T> {
         for (x, rate) in moved.as_mut().iter_mut().zip(rate.as_ref()) {
             *x = *x + forward(h0) * *rate;
         }
-        let mut bend = V::Model::flow(&self.scene, t + forward(h0), &moved);
+        let mut bend = rates::<V::Model, T>(&self.scene, t + forward(h0), &moved);
         for (bend, rate) in bend.as_mut().iter_mut().zip(rate.as_ref()) {
             *bend = *bend - *rate;
         }

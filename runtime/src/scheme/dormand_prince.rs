@@ -5,6 +5,7 @@ use super::controlled::Attempt;
 use super::controlled::Tolerance;
 use super::controlled::Variable;
 use super::gauss::zeros;
+use super::rates;
 use crate::error::Fault;
 use crate::integration::FlatState;
 use crate::integration::require_finite;
@@ -120,7 +121,7 @@ impl<M: Flow<T>, T: Real> Variable<T> for Pair<M, T> {
             Some(rate) => rate,
             None => {
                 statistics.flows += 1;
-                M::flow(&self.scene, t, x)
+                rates::<M, T>(&self.scene, t, x)
             }
         };
         self.first = Some(self.rates[0]);
@@ -128,7 +129,7 @@ impl<M: Flow<T>, T: Real> Variable<T> for Pair<M, T> {
         for (i, row) in STAGES.iter().enumerate() {
             at = moved(x, h, row, &self.rates[..=i]);
             let time = t + T::constant(NODES[i + 1]) * h;
-            self.rates[i + 1] = M::flow(&self.scene, time, &at);
+            self.rates[i + 1] = rates::<M, T>(&self.scene, time, &at);
         }
         statistics.flows += 6;
         self.end = require_finite(at)?;

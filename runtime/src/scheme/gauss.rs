@@ -2,6 +2,7 @@
 
 mod coefficients;
 mod extended;
+mod newton;
 mod sweeps;
 mod tableau;
 mod variable;
@@ -31,10 +32,16 @@ use crate::settings::ROUNDING;
 pub(crate) use coefficients::Coefficients;
 pub(crate) use coefficients::LANES;
 use coefficients::Row;
+use newton::Corrections;
+use newton::Square;
 use sweeps::End;
 use sweeps::Sweeps;
 
 pub use variable::VariableGauss;
+
+/// Steps by Newton's method after one that sweeps could not solve. More try sweeps too seldom where stiffness passes, fewer
+/// too often where it does not.
+const STIFF_STEPS: u32 = 50;
 
 /// A flow that Gauss methods can evaluate at all stages at a time. Nothing implements it by hand: generated flows have
 /// it.
@@ -55,7 +62,7 @@ pub(crate) type Flat<M, T> = FlatState<M, T>;
 /// Xᵢ = x + h Σⱼ aᵢⱼ f(t + cⱼ h, Xⱼ), x ← x + h Σᵢ bᵢ f(t + cᵢ h, Xᵢ),
 ///
 /// of order 2 S, symmetric, symplectic and A-stable; S = 1 is the implicit midpoint rule. Linear and quadratic invariants
-/// are kept to rounding (Cooper 1987), the energy of Hamiltonian models up to oscillations of order 2 S.
+/// are kept to rounding (Cooper 1987), unless the flow is stiff and Newton's method leaves more of them, the energy of Hamiltonian models up to oscillations of order 2 S.
 ///
 /// Source: Kuntzmann (1961), Butcher (1964); Hairer, Lubich and Wanner, *Geometric Numerical Integration*, II.1.3, VI.4.
 pub type Gauss<M, const S: usize, T = f64> = Integration<Collocation<M, S, T>, T>;
@@ -64,6 +71,14 @@ pub type Gauss<M, const S: usize, T = f64> = Integration<Collocation<M, S, T>, T
 pub struct Collocation<M: Collocated<T>, const S: usize, T: Packed> {
     core: Core<M, T>,
     h: T,
+}
+
+impl<M: Collocated<T>, T: Packed> Gauss<M, LANES, T> {
+    /// The same run with so many stages: one compiled function for all.
+    pub(crate) fn with_stages(mut self, stages: usize) -> Self {
+        self.method.core.coefficients = Coefficients::new(stages);
+        self
+    }
 }
 
 impl<M: Collocated<T>, const S: usize, T: Packed> Method<T> for Collocation<M, S, T> {
@@ -118,6 +133,11 @@ pub(crate) struct Core<M: Collocated<T>, T: Packed> {
     change: Flat<M, T>,
     /// What the sums of increments have lost to rounding.
     lost: Flat<M, T>,
+    /// For stiff steps.
+    jacobian: Square<M, T>,
+    has_jacobian: bool,
+    /// Steps to be solved by Newton's method before sweeps are tried again.
+    stiff: u32,
 }
 
 impl<M: Collocated<T>, T: Packed> Core<M, T> {
@@ -145,12 +165,20 @@ impl<M: Collocated<T>, T: Packed> Core<M, T> {
             wants_spectrum: false,
             change: zeros::<M, T>(),
             lost: zeros::<M, T>(),
+            jacobian: [known; 2],
+            has_jacobian: false,
+            stiff: 0,
         }
     }
 
     /// There is a step to start from.
     pub(crate) fn has_past(&self) -> bool {
         self.taken != T::constant(0.0)
+    }
+
+    /// The last step was solved by Newton's method.
+    fn is_stiff(&self) -> bool {
+        self.stiff > 0
     }
 
     /// Starts anew.
@@ -173,7 +201,6 @@ impl<M: Collocated<T>, T: Packed> Core<M, T> {
     }
 
     /// A step that is exact to rounding.
-    #[inline]
     pub(crate) fn advance(
         &mut self,
         t: T,
@@ -220,7 +247,6 @@ impl<M: Collocated<T>, T: Packed> Core<M, T> {
     }
 
     /// Solves the stage equations; the step is taken by [`Core::take`].
-    #[inline]
     pub(crate) fn solve(
         &mut self,
         t: T,
@@ -231,13 +257,24 @@ impl<M: Collocated<T>, T: Packed> Core<M, T> {
         statistics: &mut Statistics,
     ) -> Result<u32, Fault> {
         self.prepare(h);
-        let (mut end, mut sweeps) = self.sweep(t, x, weights, floor, false);
+        let (mut end, mut sweeps) = match self.stiff {
+            0 => self.sweep(t, x, weights, floor, false),
+            _ => (End::Slow, 0),
+        };
         let mut all = sweeps;
         if end == End::NotFinite {
             // Stages may be beyond what vectors can compute with, where numbers are not.
             self.begin(t, x, h, statistics);
             (end, sweeps) = self.sweep(t, x, weights, floor, true);
             all += sweeps;
+        }
+        if end == End::Slow {
+            (end, sweeps) = self.correct(t, x, weights, floor, statistics);
+            self.stiff = match self.stiff {
+                _ if end != End::Converged => 0,
+                0 => STIFF_STEPS,
+                more => more - 1,
+            };
         }
         statistics.iterations += u64::from(all);
         statistics.flows += u64::from(all + 1) * self.coefficients.stages as u64;
@@ -257,6 +294,47 @@ impl<M: Collocated<T>, T: Packed> Core<M, T> {
             place: Place::State(0),
             value: 0.0,
         })
+    }
+
+    /// Newton's method, with the sizes of the Legendre coefficients where they are wanted.
+    #[cold]
+    fn correct(
+        &mut self,
+        t: T,
+        x: &Flat<M, T>,
+        weights: &Flat<M, T>,
+        floor: T,
+        statistics: &mut Statistics,
+    ) -> (End, u32) {
+        let mut corrections = Corrections::<M, T> {
+            scene: &self.packed,
+            stages: self.coefficients.stages,
+            t,
+            times: self.hc.map(|hc| t + hc),
+            hb: self.hb,
+            mu: &self.coefficients.mu,
+            x,
+            weights,
+            floor,
+            change: &self.change,
+            jacobian: &mut self.jacobian,
+            is_known: &mut self.has_jacobian,
+            rates: &mut self.rates,
+        };
+        let solved = corrections.run(statistics);
+        if self.wants_spectrum {
+            for k in 0..self.coefficients.stages {
+                let columns = &self.coefficients.legendre;
+                let rows = self.rates.as_ref().iter().zip(weights.as_ref());
+                self.spectrum[k] = rows.fold(T::constant(0.0), |sum, (row, weight)| {
+                    let terms = columns.iter().zip(row.numbers());
+                    let value = terms.fold(T::constant(0.0), |sum, (p, l)| sum + p[k] * *l);
+                    let size = value * *weight;
+                    sum + size * size
+                });
+            }
+        }
+        solved
     }
 
     fn sweep(
@@ -306,7 +384,7 @@ impl<M: Collocated<T>, T: Packed> Core<M, T> {
         self.taken = T::constant(0.0);
         self.ratio = T::constant(0.0);
         self.prepare(h);
-        let rates = <M as Flow<T>>::flow(&self.scene, t, x);
+        let rates = crate::scheme::rates::<M, T>(&self.scene, t, x);
         statistics.flows += 1;
         self.guess = self.coefficients.mu;
         self.change = rates;

@@ -1,5 +1,6 @@
 //! The explicit baseline: the classical Runge–Kutta method.
 
+use super::rates;
 use crate::description::Solver;
 use crate::error::Fault;
 use crate::integration::FlatState;
@@ -42,10 +43,10 @@ impl<M: Flow<T>, T: Real> Method<T> for Explicit<M, T> {
     ) -> Result<Report, Fault> {
         let (scene, h) = (&self.scene, self.h);
         let half = h / T::constant(2.0);
-        let k1 = M::flow(scene, t, x);
-        let k2 = M::flow(scene, t + half, &moved(x, half, &k1));
-        let k3 = M::flow(scene, t + half, &moved(x, half, &k2));
-        let k4 = M::flow(scene, t + h, &moved(x, h, &k3));
+        let k1 = rates::<M, T>(scene, t, x);
+        let k2 = rates::<M, T>(scene, t + half, &moved(x, half, &k1));
+        let k3 = rates::<M, T>(scene, t + half, &moved(x, half, &k2));
+        let k4 = rates::<M, T>(scene, t + h, &moved(x, h, &k3));
         statistics.flows += 4;
 
         let (two, sixth) = (T::constant(2.0), h / T::constant(6.0));

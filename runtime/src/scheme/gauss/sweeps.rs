@@ -195,7 +195,7 @@ fn one_by_one<M: Collocated<T>, T: Packed>(
         for (x, stage) in x.as_mut().iter_mut().zip(stages.as_ref()) {
             *x = stage.numbers()[i];
         }
-        let rate = <M as Flow<T>>::flow(scene, *t, &x);
+        let rate = crate::scheme::rates::<M, T>(scene, *t, &x);
         for (to, rate) in rates.as_mut().iter_mut().zip(rate.as_ref()) {
             to.numbers_mut()[i] = *rate;
         }

@@ -15,6 +15,7 @@ use crate::model::Model;
 use crate::packed::Pack;
 use crate::packed::Packed;
 use crate::report::Statistics;
+use crate::scheme::Adaptive;
 use crate::scheme::Attempt;
 use crate::scheme::Tolerance;
 use crate::scheme::Variable;
@@ -48,6 +49,16 @@ struct Accepted<M: Collocated<T>, T: Packed> {
 /// Share of the tolerance that the sweeps may leave. Larger saves a sweep at times, and disturbs the estimate.
 const SWEEPS_SHARE: f64 = 0.1;
 
+impl<M: Collocated<T>, T: Packed> Adaptive<VariableGauss<M, LANES, T>, T> {
+    /// The same run with so many stages, 3 to 8: one compiled function for all.
+    pub(crate) fn with_stages(mut self, stages: usize) -> Self {
+        self.method.change(|scheme| {
+            scheme.core.coefficients = Coefficients::new(usize::max(stages, 3));
+        });
+        self
+    }
+}
+
 impl<M: Collocated<T>, const S: usize, T: Packed> Variable<T> for VariableGauss<M, S, T> {
     type Model = M;
     const PREFERS_EQUAL_STEPS: bool = true;
@@ -68,7 +79,7 @@ impl<M: Collocated<T>, const S: usize, T: Packed> Variable<T> for VariableGauss<
     }
 
     fn order(&self) -> usize {
-        2 * S - 1
+        2 * self.core.coefficients.stages - 1
     }
 
     fn attempt(
@@ -98,8 +109,12 @@ impl<M: Collocated<T>, const S: usize, T: Packed> Variable<T> for VariableGauss<
 
         let sizes = &self.core.spectrum;
         let low = larger(sizes[0], sizes[1]).sqrt();
-        let error = if low > zero {
-            share * sizes[S - 1] / low
+        // Where the linearised flow is stiff, its coefficients do not decay, and only γ does.
+        let size = sizes[self.core.coefficients.stages - 1].sqrt();
+        let error = if self.core.is_stiff() {
+            share * size
+        } else if low > zero {
+            share * sizes[self.core.coefficients.stages - 1] / low
         } else {
             zero
         };
@@ -154,7 +169,7 @@ impl<M: Collocated<T>, const S: usize, T: Packed> Variable<T> for VariableGauss<
         let p = legendre(theta);
         let mut x = step.start;
         for (x, row) in x.as_mut().iter_mut().zip(self.core.known.as_ref()) {
-            for k in 0..S.min(LANES - 1) {
+            for k in 0..self.core.coefficients.stages.min(LANES - 1) {
                 let terms = self.core.coefficients.legendre.iter().zip(row.numbers());
                 let coefficient = terms.fold(zero, |sum, (p, l)| sum + p[k] * *l);
                 let below = if k == 0 { -one } else { p[k - 1] };
