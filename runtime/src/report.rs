@@ -37,6 +37,8 @@ pub struct Statistics {
     pub iterations: u64,
     /// Residuals evaluated besides, to judge a correction.
     pub residuals: u64,
+    /// Jacobians of the continuous equations, for stiff stages.
+    pub jacobians: u64,
     /// Evaluations of the continuous equations.
     pub flows: u64,
     /// Steps for which the core failed or could not be trusted, so that all unknowns were iterated on.

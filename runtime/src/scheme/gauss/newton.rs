@@ -172,7 +172,6 @@ impl<M: Collocated<T>, T: Packed> Corrections<'_, M, T> {
                 row.numbers_mut()[s..].fill(last);
             }
             statistics.iterations += 1;
-            statistics.factorizations += s as u64;
 
             let change = square.sqrt();
             if !change.is_finite() {
