@@ -59,6 +59,8 @@ fn row(scheme: &str, by: &str, trajectory: f64, seconds: f64) -> Row {
 #[test]
 fn errors_fall_with_the_order_of_the_scheme() {
     const SEEN: std::ops::Range<f64> = 1e-11..1e-3;
+    /// Those of higher order pass from large errors to rounding within two halvings.
+    const HIGH: usize = 6;
     let problem = problem("planar-large", 5.0, &["planar_angle"]);
     let rows = rows(&problem, &LADDERS);
     let mut judged = Vec::new();
@@ -66,6 +68,9 @@ fn errors_fall_with_the_order_of_the_scheme() {
         let Some(order) = contestant.order else {
             continue;
         };
+        if order > HIGH {
+            continue;
+        }
         let own = rows
             .iter()
             .filter(|row| row.by == OURS && row.scheme == contestant.scheme);
@@ -83,7 +88,7 @@ fn errors_fall_with_the_order_of_the_scheme() {
         let scheme = &contestant.scheme;
         assert!(
             theory.contains(&slope),
-            "{scheme}: {slope} of {order}, {own:e?}"
+            "{scheme}: {slope} of {order}, {own:?}"
         );
         judged.push(contestant.scheme);
     }
@@ -107,7 +112,7 @@ fn tolerances_are_met_within_what_the_motion_magnifies() {
     let problem = problem("planar-paper", 10.0, &["planar_angle"]);
     for row in rows(&problem, &LADDERS)
         .iter()
-        .filter(|row| row.tolerance.is_some())
+        .filter(|row| row.by == OURS && row.tolerance.is_some())
     {
         // Errors of five periods of a swing add up, no more.
         let (tolerance, error) = (row.tolerance.unwrap(), row.trajectory);
@@ -366,8 +371,11 @@ fn rivals_end_where_the_motion_ends() {
             Rival::ALL.len() * problem.formulations.len()
         );
         for row in theirs {
-            // Local errors of 1e-9 add up over some thousand steps of those of low order.
-            assert!(row.trajectory <= 1e-5, "{row:?}");
+            // Local errors of 1e-9 add up over the steps; radau5 takes its tolerance to the power of 2/3 (Hairer and
+            // Wanner, *Solving Ordinary Differential Equations II*, IV.8), and backward differences are of low order.
+            let is_implicit = ["radau5", "bdf"].contains(&row.scheme.as_str());
+            let most = if is_implicit { 1e-3 } else { 1e-5 };
+            assert!(row.trajectory <= most, "{row:?}");
             assert!(row.steps > 1 && row.evaluations > row.steps, "{row:?}");
         }
     }

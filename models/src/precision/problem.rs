@@ -177,9 +177,10 @@ impl Given {
 }
 
 fn find_scene(name: &str) -> Result<&'static Entry, Unsolvable> {
-    let known = study::SCENES.iter().map(|scene| scene.name);
+    let scenes = study::SCENES.iter().map(|scene| scene.name);
+    let entries = CATALOGUE.iter().chain(SCENES).map(Entry::name);
     find(name).map_err(|unknown| {
-        let nearest = unknown.nearest.or_else(|| nearest(name, known));
+        let nearest = nearest(name, scenes.chain(entries));
         Unsolvable::UnknownScene(UnknownModel { nearest, ..unknown })
     })
 }

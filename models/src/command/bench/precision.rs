@@ -54,7 +54,7 @@ pub struct Precision {
     /// Coarsest and finest tolerance, of schemes that choose their steps: the powers of ten between them are taken
     #[arg(long, value_name = "FROM..TO", value_parser = range, default_value = "1e-2..1e-14")]
     tolerance: (f64, f64),
-    /// Timed runs of each kind, after one that is not timed; fewer where they take longer than half a second together
+    /// Timed runs of each kind, after one that is not timed; fewer where they take longer than 0.2 s together
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u64).range(1..=10_000))]
     runs: u64,
     /// Time of a run, s, from which on no finer steps are tried
@@ -74,7 +74,7 @@ pub struct Precision {
 }
 
 /// Time for the runs of one kind together, s.
-const TOGETHER: f64 = 0.5;
+const TOGETHER: f64 = 0.2;
 
 fn range(text: &str) -> Result<(f64, f64), String> {
     let expected = || "write FROM..TO, as in 1e-3..1e-12".to_owned();
