@@ -104,11 +104,10 @@ impl Lane<'_> {
     fn curve(&self, kind: Kind) -> LogCurve {
         let point = |row: &&Row| {
             let error = row.error(kind);
-            // A NaN stays one.
-            match error > LARGEST {
-                true => (f64::NAN, f64::NAN),
-                false if error < LEAST => (LEAST, row.seconds),
-                false => (error, row.seconds),
+            // Written so that a NaN is a gap.
+            match error <= LARGEST {
+                true => (error.max(LEAST), row.seconds),
+                false => (f64::NAN, f64::NAN),
             }
         };
         LogCurve {

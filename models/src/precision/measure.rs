@@ -48,7 +48,15 @@ pub fn measure(
     let mut lanes = Vec::new();
     for (position, contestant) in contestants.iter().enumerate() {
         for &rung in &contestant.rungs {
-            let (row, seconds) = judge(problem, contestant, rung);
+            let (row, mut seconds) = judge(problem, contestant, rung);
+            if let Some(seconds) = seconds.as_mut().filter(|taken| **taken > budget.longest) {
+                // Once more: the first may have been a slow moment of the machine.
+                let clock = Instant::now();
+                let again = contestant.solve(rung, None);
+                if again.is_ok() {
+                    *seconds = seconds.min(clock.elapsed().as_secs_f64());
+                }
+            }
             let lane = seconds.map(|seconds| {
                 let run = move || contestant.solve(rung, None).map(|(end, _)| end);
                 (Lane::new("", 1.0, run), budget.runs(seconds))
