@@ -30,6 +30,7 @@ mod sign;
 mod tape;
 mod text;
 
+pub use tape::Number;
 pub use tape::Tape;
 
 /// Index of a node in its [`Dag`].

@@ -53,6 +53,7 @@ pub mod stage;
 pub mod structure;
 pub mod system;
 pub mod taylor;
+pub mod trace;
 pub mod unit;
 
 pub use compile::Analysis;

@@ -19,6 +19,7 @@ mod functions;
 use crate::ast::ClaimKind;
 use crate::ast::ExprId;
 use crate::ast::Form;
+use crate::dag::Dag;
 use crate::dag::NodeId;
 use crate::diagnostic::Errors;
 use crate::model::Equation;
@@ -49,6 +50,22 @@ pub fn lower_discrete(model: &Model, form: Form) -> Result<Discrete, Errors> {
         next,
         claims,
     })
+}
+
+/// The components of each of `expressions` of the discrete equations, as many as it has.
+///
+/// # Errors
+/// As [`lower_discrete`].
+pub fn lower_expressions(
+    model: &Model,
+    form: Form,
+    expressions: &[ExprId],
+) -> Result<(Dag, Vec<Vec<NodeId>>), Errors> {
+    let mut context = Context::new(model, Meaning::Discrete(form));
+    let lowered = expressions.iter().map(|&id| context.claimed(id).entries);
+    let lowered = lowered.collect();
+    let Context { dag, errors, .. } = context;
+    errors.or((dag, lowered))
 }
 
 /// Defaults, start, outputs and flow of `model` as scalars.

@@ -91,7 +91,7 @@ fn analysis(text: &str) -> Analysis {
 }
 
 fn solver(analysis: &Analysis) -> Solver {
-    program(&analysis.equations, &analysis.systems)
+    program(&analysis.equations, &analysis.systems, None)
         .solvers
         .remove(0)
 }

@@ -23,9 +23,11 @@ pub mod notation;
 pub mod plot;
 pub mod precision;
 pub mod race;
+pub mod replay;
 pub mod report;
 #[cfg(feature = "rivals")]
 pub mod rivals;
+pub mod stress;
 pub mod study;
 pub mod values;
 

@@ -75,6 +75,43 @@ fn all_unknowns_give_the_same_run_as_the_core() {
 }
 
 #[test]
+fn taylor_series_run_as_other_schemes_do() {
+    let run = |options: &str| {
+        let line = "simulate spatial_group --until 1 --every 100 --scheme";
+        rows(&succeed(&format!("{line} {options}")).stdout)
+    };
+    let gauss = run("gauss8");
+    for options in ["taylor20", "taylor --tolerance 1e-12"] {
+        let taylor = run(options);
+        assert_eq!(taylor.len(), gauss.len());
+        for (a, b) in taylor[1].iter().zip(&gauss[1]) {
+            // The tolerance of some twenty steps.
+            assert!((a - b).abs() < 1e-10, "{options}: {a} {b}");
+        }
+    }
+}
+
+#[test]
+fn taylor_series_that_are_none_say_why() {
+    for (options, message) in [
+        ("planar_reduced --scheme taylor25", "orders 1 to 24"),
+        ("planar_reduced --scheme taylor0", "orders 1 to 24"),
+        (
+            "planar_reduced --scheme tailor",
+            "there is no scheme `tailor`",
+        ),
+        (
+            "planar_reduced --scheme taylor9 --tolerance 1e-9",
+            "steps of one length",
+        ),
+        ("planar_reduced --scheme taylor --form next", "--form"),
+    ] {
+        let outcome = residua(&format!("simulate {options}"));
+        assert_refused(&outcome, 2, &[message]);
+    }
+}
+
+#[test]
 fn rk4_has_no_strategy() {
     for option in ["--strategy full", "--uncompensated"] {
         let outcome = residua(&format!("simulate planar_reduced --scheme rk4 {option}"));

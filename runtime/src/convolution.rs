@@ -19,6 +19,7 @@ impl<T: Copy, const N: usize> Rows<T> for [[T; 4]; N] {}
 pub const BEFORE: usize = 2;
 
 /// Products that are summed apart from each other: none waits for the one before it.
+#[cfg(feature = "ensemble")]
 const APART: usize = 4;
 
 /// A number of which rows are computed with at a time.

@@ -74,6 +74,7 @@ mod packed;
 mod report;
 mod scalar;
 mod scheme;
+mod sensitivity;
 mod settings;
 mod shifts;
 #[cfg(test)]

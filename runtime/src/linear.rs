@@ -18,7 +18,8 @@ const UNROLLED: usize = 5;
 pub trait SquareMatrix<T>: Copy {
     /// `[T; N]`
     type Vector;
-    /// x with A·x = b, by LU decomposition with row pivoting; `None` if a pivot is exactly 0.
+    /// x with A·x = b, by LU decomposition with pivots chosen among rows, each measured by its own largest entry, so that
+    /// the units of the equations do not matter; `None` if a pivot is exactly 0.
     fn solve(&self, b: &Self::Vector) -> Option<Self::Vector>;
     /// The N·N entries row by row.
     fn entries(&self) -> &[T];
@@ -35,9 +36,14 @@ where
         if N <= UNROLLED {
             return eliminate(*self, *b);
         }
+        let (mut rows, mut x) = (*self, *b);
+        for ((row, weight), b) in rows.iter_mut().zip(weights(self)).zip(&mut x) {
+            row.iter_mut().for_each(|entry| *entry = *entry * weight);
+            *b = *b * weight;
+        }
         // nalgebra stores columns first, so our rows are its columns.
-        let matrix = SMatrix::from_data(ArrayStorage(*self)).transpose();
-        let mut x = SVector::from(*b);
+        let matrix = SMatrix::from_data(ArrayStorage(rows)).transpose();
+        let mut x = SVector::from(x);
         matrix.lu().solve_mut(&mut x).then(|| x.into())
     }
 
@@ -46,13 +52,32 @@ where
     }
 }
 
-/// x with A·x = b by Gaussian elimination with row pivoting; `None` if a pivot is exactly 0.
+/// What brings the largest entry of each row to 1; 1 for rows of zeros.
+fn weights<T: Real, const N: usize>(a: &[[T; N]; N]) -> [T; N] {
+    let (zero, one) = (T::constant(0.0), T::constant(1.0));
+    a.map(|row| {
+        let largest = row.iter().fold(zero, |most, entry| {
+            if entry.abs() > most {
+                entry.abs()
+            } else {
+                most
+            }
+        });
+        let weight = one / largest;
+        // Nor where the largest is so small that there is no such number.
+        if weight.is_finite() { weight } else { one }
+    })
+}
+
+/// x with A·x = b by Gaussian elimination with scaled row pivoting (Golub and Van Loan, *Matrix Computations*, 3.5.2); `None`
+/// if a pivot is exactly 0.
 #[expect(clippy::needless_range_loop, reason = "indices as in the textbook")]
 fn eliminate<T: Real, const N: usize>(mut a: [[T; N]; N], mut b: [T; N]) -> Option<[T; N]> {
     let zero = T::constant(0.0);
+    let mut weights = weights(&a);
     for k in 0..N {
         let larger = |best: usize, i: usize| {
-            if a[i][k].abs() > a[best][k].abs() {
+            if a[i][k].abs() * weights[i] > a[best][k].abs() * weights[best] {
                 i
             } else {
                 best
@@ -64,6 +89,7 @@ fn eliminate<T: Real, const N: usize>(mut a: [[T; N]; N], mut b: [T; N]) -> Opti
         }
         a.swap(k, pivot);
         b.swap(k, pivot);
+        weights.swap(k, pivot);
         let inverse = T::constant(1.0) / a[k][k];
         for i in k + 1..N {
             let factor = a[i][k] * inverse;

@@ -1,5 +1,6 @@
 //! Newton's method for the unknowns of one step: r(x) = 0, x ← x − J(x)⁻¹ r(x).
 
+pub(crate) mod rate;
 mod thorough;
 
 use crate::error::Fault;

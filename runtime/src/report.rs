@@ -33,7 +33,8 @@ impl Report {
 pub struct Statistics {
     /// Accepted steps.
     pub steps: u64,
-    /// Newton corrections applied, or sweeps over the stages of a scheme.
+    /// Newton corrections applied, each of one residual, one Jacobian and one linear system, or sweeps over the stages of a
+    /// scheme.
     pub iterations: u64,
     /// Residuals evaluated besides, to judge a correction.
     pub residuals: u64,

@@ -3,18 +3,17 @@
 mod composition;
 mod controlled;
 mod dormand_prince;
+mod extended;
 mod gauss;
 mod runge_kutta;
 pub mod taylor;
 mod trapezoidal;
+mod variable;
 
 pub use composition::Composed;
 pub use composition::Composition;
 pub use controlled::Adaptive;
-pub use controlled::Attempt;
 pub use controlled::Controlled;
-pub use controlled::Tolerance;
-pub use controlled::Variable;
 pub use dormand_prince::DormandPrince5;
 pub use dormand_prince::Pair;
 pub use gauss::Collocated;
@@ -25,6 +24,9 @@ pub use runge_kutta::Explicit;
 pub use runge_kutta::RungeKutta4;
 pub use trapezoidal::Ends;
 pub use trapezoidal::Trapezoidal;
+pub use variable::Attempt;
+pub use variable::Tolerance;
+pub use variable::Variable;
 
 use crate::integration::FlatState;
 use crate::model::Flow;

@@ -52,6 +52,10 @@ pub enum Strategy {
 /// trusts the estimate more; 0 always waits for a correction within the tolerance.
 pub(crate) const RATE_MARGIN: f64 = 0.1;
 
+/// A correction that is a larger part of what it corrects does not tell how fast the next ones shrink. Larger accepts
+/// iterates that pass a solution by, smaller takes one correction more.
+pub(crate) const TELLING: f64 = 1.0 / 16.0;
+
 /// A residual this many ε times the size of its own terms is rounding error: a sum of n terms loses up to
 /// n ε/2 of them (Higham, *Accuracy and Stability of Numerical Algorithms*, section 4.2).
 ///

@@ -19,6 +19,7 @@ use crate::report::Report;
 use crate::report::Statistics;
 use crate::scalar::Real;
 use crate::scalar::all_finite;
+use crate::sensitivity::amplification;
 use crate::settings::MOST_GROWTH;
 use crate::settings::Settings;
 use crate::settings::Strategy;
@@ -39,6 +40,8 @@ pub struct Implicit<S: Solvable<T>, T: Real> {
 
 /// A system with its scene and Newton's method for it.
 struct Solver<S: Correctable<T>, T: Real> {
+    /// Some of the state follows from unknowns that are not its own.
+    is_core: bool,
     scene: S::Scene,
     newton: Newton<S, T>,
 }
@@ -53,8 +56,9 @@ impl<S: Solvable<T>, T: Real> Stepper<S, T> {
 }
 
 impl<S: Correctable<T>, T: Real> Solver<S, T> {
-    fn new(parameters: &<S::Model as Model<T>>::Parameters, h: T) -> Self {
+    fn new(parameters: &<S::Model as Model<T>>::Parameters, h: T, is_core: bool) -> Self {
         Self {
+            is_core,
             scene: S::scene(parameters, h),
             newton: Newton::new(Settings::default()),
         }
@@ -78,11 +82,14 @@ impl<S: Correctable<T>, T: Real> Solver<S, T> {
         let (x, report) = self
             .newton
             .solve(scene, &step, state.as_ref(), statistics)?;
-        if !is_trusted::<S, T>(scene, &step, &x) {
+        let most = T::constant(MOST_GROWTH);
+        let is_known = !self.is_core || amplification::<S, T>(scene, &step, &x, state) <= most;
+        if !(is_known && is_trusted::<S, T>(scene, &step, &x)) {
             return Err(self.newton.fault(Failure::Singular));
         }
         let (next, lost_then) = self.after(&step, state, &x, lost);
-        (*state, *lost) = (require_finite(next)?, lost_then);
+        require_finite(&next)?;
+        (*state, *lost) = (next, lost_then);
         Ok(report)
     }
 
@@ -148,8 +155,8 @@ impl<S: Solvable<T>, T: Real> Method<T> for Implicit<S, T> {
         let mut lost = S::Model::start(parameters).to_array();
         lost.as_mut().fill(T::constant(0.0));
         Self {
-            core: Solver::new(parameters, h),
-            full: Solver::new(parameters, h),
+            core: Solver::new(parameters, h, S::HAS_CORE),
+            full: Solver::new(parameters, h, false),
             lost,
             fell_back: false,
         }

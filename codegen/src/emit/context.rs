@@ -178,7 +178,9 @@ impl<'a> Context<'a> {
             }
         }
         let statements = write(schedule, &mut self.names, &values, roots, finish);
-        let written = statements.tokens();
+        // The values of the file are data, which a run takes as doubles whatever it computes with.
+        let is_data = kernels.iter().any(|kernel| kernel.name == "defaults");
+        let written = statements.tokens(is_data);
         let read = Read::new(schedule, &statements, own);
         let mut used = read.names();
         let inputs = self.inputs(&read, own, &mut used);

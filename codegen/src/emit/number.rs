@@ -81,6 +81,18 @@ pub(super) fn literal(value: &BigRational) -> TokenStream {
     float(double(value))
 }
 
+/// Numerator and denominator of what is no double, if they are: their quotient rounds to the nearest double, and to more
+/// digits where `T` has them.
+pub(super) fn quotient(value: &BigRational) -> Option<[TokenStream; 2]> {
+    let is_double = |n: &BigInt| n.magnitude().bits() <= u64::from(f64::MANTISSA_DIGITS);
+    let is_binary = value.denom().magnitude().count_ones() == 1;
+    if is_binary || !is_double(value.numer()) || !is_double(value.denom()) {
+        return None;
+    }
+    let whole = |n: &BigInt| literal(&BigRational::from_integer(n.clone()));
+    Some([whole(value.numer()), whole(value.denom())])
+}
+
 /// Any double as an expression.
 pub(super) fn float(value: f64) -> TokenStream {
     if value.is_nan() {

@@ -69,13 +69,26 @@ pub(super) fn write<'a>(
 }
 
 impl<'a> Statements<'a> {
-    /// The body: numbers first.
-    pub(super) fn tokens(&self) -> TokenStream {
-        let mut names: Vec<&Ident> = self.numbers.values().collect();
-        let mut literals: Vec<TokenStream> = self.numbers.keys().map(number::literal).collect();
+    /// The body: numbers first, as doubles or as exact as `T` has them.
+    pub(super) fn tokens(&self, are_doubles: bool) -> TokenStream {
+        let (mut names, mut literals) = (Vec::new(), Vec::new());
+        let mut others = TokenStream::new();
+        for (value, name) in &self.numbers {
+            match number::quotient(value).filter(|_| !are_doubles) {
+                Some([numerator, denominator]) => others.extend(
+                    quote!(let #name = T::constant(#numerator) / T::constant(#denominator);),
+                ),
+                None => {
+                    names.push(name);
+                    literals.push(number::literal(value));
+                }
+            }
+        }
         if let Some(pi) = &self.pi {
-            names.push(pi);
-            literals.push(quote!(::core::f64::consts::PI));
+            // π less the nearest double: nothing to a double, the rest of the digits to more.
+            others.extend(
+                quote!(let #pi = T::constant(::core::f64::consts::PI) + T::constant(1.2246467991473532e-16);),
+            );
         }
         let numbers = match literals.as_slice() {
             [] => TokenStream::new(),
@@ -83,7 +96,7 @@ impl<'a> Statements<'a> {
             _ => quote!(let [#(#names),*] = [#(#literals),*].map(T::constant);),
         };
         let body = &self.tokens;
-        quote!(#numbers #body)
+        quote!(#numbers #others #body)
     }
 
     /// Whether the body reads an input or a cached value.

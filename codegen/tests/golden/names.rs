@@ -218,8 +218,8 @@ mod model {
         type Outputs = super::Outputs<T>;
         const DESCRIPTION: &'static ::residua::Description = super::DESCRIPTION;
         fn start(_parameters: &super::Parameters<T>) -> super::State<T> {
-            let [zero, c1_over_7, one, two_] = [0.0, 0.14285714285714285, 1.0, 2.0]
-                .map(T::constant);
+            let [zero, one, two_] = [0.0, 1.0, 2.0].map(T::constant);
+            let c1_over_7 = T::constant(1.0) / T::constant(7.0);
             super::State {
                 x: [one, two_],
                 r: zero,
@@ -1165,6 +1165,7 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
     ],
     claims: &[],
     has_flow: false,
+    no_series: ::core::option::Option::None,
     counts: &[
         (
             "scene",
@@ -1202,4 +1203,5 @@ pub static MODEL: ::residua::Catalogued = ::residua::Catalogued {
     model: &::residua::erased::ErasedModel::<Model>::NEW,
     solvers: &[&::residua::erased::ErasedSolver::<Increment>::NEW],
     flow: ::core::option::Option::None,
+    series: ::core::option::Option::None,
 };

@@ -154,6 +154,103 @@ mod flow {
         }
     }
 }
+#[allow(non_snake_case, reason = "names as in the model")]
+#[allow(clippy::approx_constant, reason = "numbers as in the model")]
+#[allow(
+    clippy::possible_missing_comma,
+    reason = "all tokens have one place, the invocation"
+)]
+#[allow(
+    clippy::many_single_char_names,
+    clippy::suspicious_operation_groupings,
+    reason = "formulas"
+)]
+mod series {
+    /// What depends on parameters only.
+    #[derive(Clone, Copy)]
+    pub struct Scene<T> {
+        m_g_l_over_J: T,
+    }
+    /// What depends on the start of the step only.
+    #[derive(Clone, Copy)]
+    pub struct Step<T> {
+        Gamma_x: T,
+        m_g_l_over_J_Gamma_x: T,
+        omega: T,
+        Gamma_y: T,
+        omega_Gamma_y: T,
+        omega_Gamma_x: T,
+    }
+    impl<T: ::residua::Scalar> ::residua::Series<T> for super::Model {
+        type Scene = Scene<T>;
+        type Base = Step<T>;
+        type Sums = [[T; 4]; 0];
+        type Products = [[T; 4]; 1];
+        fn zeros() -> (Self::Sums, Self::Products) {
+            let row = [T::constant(0.0); 4];
+            ([row; 0], [row; 1])
+        }
+        /// Once per run: 2 multiplications, 1 division.
+        fn scene(parameters: &super::Parameters<T>) -> Scene<T> {
+            let super::Parameters { m, J, l, g } = *parameters;
+            Scene {
+                m_g_l_over_J: m * g * l / J,
+            }
+        }
+        /// Once per step: 3 multiplications.
+        #[inline(always)]
+        fn base(scene: &Scene<T>, _t: T, state: &[T; 3]) -> Step<T> {
+            let Scene { m_g_l_over_J } = *scene;
+            let [omega, Gamma_x, Gamma_y] = *state;
+            Step {
+                Gamma_x,
+                m_g_l_over_J_Gamma_x: m_g_l_over_J * Gamma_x,
+                omega,
+                Gamma_y,
+                omega_Gamma_y: omega * Gamma_y,
+                omega_Gamma_x: omega * Gamma_x,
+            }
+        }
+        #[inline(always)]
+        fn rates(_scene: &Scene<T>, step: &Step<T>) -> [T; 3] {
+            let Step { m_g_l_over_J_Gamma_x, omega_Gamma_y, omega_Gamma_x, .. } = *step;
+            [-m_g_l_over_J_Gamma_x, omega_Gamma_y, -omega_Gamma_x]
+        }
+        #[inline(always)]
+        fn starts(_scene: &Scene<T>, step: &Step<T>) -> [Self::Products; 2] {
+            let Step { Gamma_x, omega, Gamma_y, .. } = *step;
+            let zero = T::constant(0.0);
+            [[[omega, omega, zero, zero]], [[Gamma_y, Gamma_x, zero, zero]]]
+        }
+        /// Order n of what is multiplied: no operations.
+        #[inline(always)]
+        fn factors(
+            _scene: &Scene<T>,
+            _step: &Step<T>,
+            newest: &[T; 3],
+            _order: &[T; 3],
+        ) -> [Self::Products; 2] {
+            let [omega_n, Gamma_x_n, Gamma_y_n] = *newest;
+            let zero = T::constant(0.0);
+            [[[omega_n, omega_n, zero, zero]], [[Gamma_y_n, Gamma_x_n, zero, zero]]]
+        }
+        /// Order n, lines 21 to 22: 2 sums of n + 1 products, 0 sums of n − 1 products, and 1 multiplication.
+        #[inline(always)]
+        fn next(
+            scene: &Scene<T>,
+            _step: &Step<T>,
+            newest: &[T; 3],
+            _order: &[T; 3],
+            products: &Self::Products,
+            _sums: &Self::Sums,
+        ) -> ([T; 3], [Self::Sums; 2]) {
+            let Scene { m_g_l_over_J } = *scene;
+            let [_, Gamma_x_n, _] = *newest;
+            let [[product_1, product_2, _, _]] = *products;
+            ([-m_g_l_over_J * Gamma_x_n, product_1, -product_2], [[], []])
+        }
+    }
+}
 /// The solver whose unknowns are the next states, and those the model declares.
 #[derive(Clone, Copy, Debug)]
 pub struct Next;
@@ -1440,6 +1537,7 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
         },
     ],
     has_flow: true,
+    no_series: ::core::option::Option::None,
     counts: &[
         (
             "scene",
@@ -1507,4 +1605,5 @@ pub static MODEL: ::residua::Catalogued = ::residua::Catalogued {
         &::residua::erased::ErasedSolver::<Increment>::NEW,
     ],
     flow: ::core::option::Option::Some(&::residua::erased::ErasedFlow::<Model>::NEW),
+    series: ::core::option::Option::Some(&::residua::erased::ErasedSeries::<Model>::NEW),
 };

@@ -87,8 +87,10 @@ mod model {
         type Outputs = super::Outputs<T>;
         const DESCRIPTION: &'static ::residua::Description = super::DESCRIPTION;
         fn start(_parameters: &super::Parameters<T>) -> super::State<T> {
-            let [zero, third, pi] = [0.0, 0.3333333333333333, ::core::f64::consts::PI]
-                .map(T::constant);
+            let zero = T::constant(0.0);
+            let third = T::constant(1.0) / T::constant(3.0);
+            let pi = T::constant(::core::f64::consts::PI)
+                + T::constant(1.2246467991473532e-16);
             let (sin_third_pi, cos_third_pi) = (third * pi).sin_cos();
             super::State {
                 omega: zero,
@@ -129,7 +131,7 @@ mod flow {
         type FlowScene = Scene<T>;
         fn flow_scene(parameters: &super::Parameters<T>) -> Scene<T> {
             let super::Parameters { m, J } = *parameters;
-            let c5_886 = T::constant(5.886);
+            let c5_886 = T::constant(2943.0) / T::constant(500.0);
             Scene {
                 c5_886_m_over_J: c5_886 * m / J,
             }
@@ -140,6 +142,104 @@ mod flow {
             let Scene { c5_886_m_over_J } = *scene;
             let [omega, Gamma_x, Gamma_y] = *state;
             [-c5_886_m_over_J * Gamma_x, omega * Gamma_y, -omega * Gamma_x]
+        }
+    }
+}
+#[allow(non_snake_case, reason = "names as in the model")]
+#[allow(clippy::approx_constant, reason = "numbers as in the model")]
+#[allow(
+    clippy::possible_missing_comma,
+    reason = "all tokens have one place, the invocation"
+)]
+#[allow(
+    clippy::many_single_char_names,
+    clippy::suspicious_operation_groupings,
+    reason = "formulas"
+)]
+mod series {
+    /// What depends on parameters only.
+    #[derive(Clone, Copy)]
+    pub struct Scene<T> {
+        c5_886_m_over_J: T,
+    }
+    /// What depends on the start of the step only.
+    #[derive(Clone, Copy)]
+    pub struct Step<T> {
+        Gamma_x: T,
+        c5_886_m_over_J_Gamma_x: T,
+        omega: T,
+        Gamma_y: T,
+        omega_Gamma_y: T,
+        omega_Gamma_x: T,
+    }
+    impl<T: ::residua::Scalar> ::residua::Series<T> for super::Model {
+        type Scene = Scene<T>;
+        type Base = Step<T>;
+        type Sums = [[T; 4]; 0];
+        type Products = [[T; 4]; 1];
+        fn zeros() -> (Self::Sums, Self::Products) {
+            let row = [T::constant(0.0); 4];
+            ([row; 0], [row; 1])
+        }
+        /// Once per run: 1 multiplication, 1 division.
+        fn scene(parameters: &super::Parameters<T>) -> Scene<T> {
+            let super::Parameters { m, J } = *parameters;
+            let c5_886 = T::constant(2943.0) / T::constant(500.0);
+            Scene {
+                c5_886_m_over_J: c5_886 * m / J,
+            }
+        }
+        /// Once per step: 3 multiplications.
+        #[inline(always)]
+        fn base(scene: &Scene<T>, _t: T, state: &[T; 3]) -> Step<T> {
+            let Scene { c5_886_m_over_J } = *scene;
+            let [omega, Gamma_x, Gamma_y] = *state;
+            Step {
+                Gamma_x,
+                c5_886_m_over_J_Gamma_x: c5_886_m_over_J * Gamma_x,
+                omega,
+                Gamma_y,
+                omega_Gamma_y: omega * Gamma_y,
+                omega_Gamma_x: omega * Gamma_x,
+            }
+        }
+        #[inline(always)]
+        fn rates(_scene: &Scene<T>, step: &Step<T>) -> [T; 3] {
+            let Step { c5_886_m_over_J_Gamma_x, omega_Gamma_y, omega_Gamma_x, .. } = *step;
+            [-c5_886_m_over_J_Gamma_x, omega_Gamma_y, -omega_Gamma_x]
+        }
+        #[inline(always)]
+        fn starts(_scene: &Scene<T>, step: &Step<T>) -> [Self::Products; 2] {
+            let Step { Gamma_x, omega, Gamma_y, .. } = *step;
+            let zero = T::constant(0.0);
+            [[[omega, omega, zero, zero]], [[Gamma_y, Gamma_x, zero, zero]]]
+        }
+        /// Order n of what is multiplied: no operations.
+        #[inline(always)]
+        fn factors(
+            _scene: &Scene<T>,
+            _step: &Step<T>,
+            newest: &[T; 3],
+            _order: &[T; 3],
+        ) -> [Self::Products; 2] {
+            let [omega_n, Gamma_x_n, Gamma_y_n] = *newest;
+            let zero = T::constant(0.0);
+            [[[omega_n, omega_n, zero, zero]], [[Gamma_y_n, Gamma_x_n, zero, zero]]]
+        }
+        /// Order n, lines 21 to 22: 2 sums of n + 1 products, 0 sums of n − 1 products, and 1 multiplication.
+        #[inline(always)]
+        fn next(
+            scene: &Scene<T>,
+            _step: &Step<T>,
+            newest: &[T; 3],
+            _order: &[T; 3],
+            products: &Self::Products,
+            _sums: &Self::Sums,
+        ) -> ([T; 3], [Self::Sums; 2]) {
+            let Scene { c5_886_m_over_J } = *scene;
+            let [_, Gamma_x_n, _] = *newest;
+            let [[product_1, product_2, _, _]] = *products;
+            ([-c5_886_m_over_J * Gamma_x_n, product_1, -product_2], [[], []])
         }
     }
 }
@@ -207,7 +307,8 @@ mod increment {
         /// Once per run: 3 multiplications.
         fn scene(parameters: &super::Parameters<T>, h: T) -> Scene<T> {
             let super::Parameters { m, J } = *parameters;
-            let [two, c5_886] = [2.0, 5.886].map(T::constant);
+            let two = T::constant(2.0);
+            let c5_886 = T::constant(2943.0) / T::constant(500.0);
             Scene {
                 two_J: two * J,
                 h,
@@ -385,8 +486,9 @@ mod increment_core {
         /// Once per run: 9 multiplications.
         fn scene(parameters: &super::Parameters<T>, h: T) -> Scene<T> {
             let super::Parameters { m, J } = *parameters;
-            let [two, four, c11_772, c23_544] = [2.0, 4.0, 11.772, 23.544]
-                .map(T::constant);
+            let [two, four] = [2.0, 4.0].map(T::constant);
+            let c11_772 = T::constant(2943.0) / T::constant(250.0);
+            let c23_544 = T::constant(2943.0) / T::constant(125.0);
             let h_squared = h * h;
             Scene {
                 h,
@@ -816,6 +918,7 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
     ],
     claims: &[],
     has_flow: true,
+    no_series: ::core::option::Option::None,
     counts: &[
         (
             "scene",
@@ -918,4 +1021,5 @@ pub static MODEL: ::residua::Catalogued = ::residua::Catalogued {
     model: &::residua::erased::ErasedModel::<Model>::NEW,
     solvers: &[&::residua::erased::ErasedSolver::<Increment>::NEW],
     flow: ::core::option::Option::Some(&::residua::erased::ErasedFlow::<Model>::NEW),
+    series: ::core::option::Option::Some(&::residua::erased::ErasedSeries::<Model>::NEW),
 };

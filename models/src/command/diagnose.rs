@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
 use proc_macro2::{LineColumn, TokenStream};
-use residua_codegen::diagnostic::{Diagnostic, Errors};
+use residua_codegen::diagnostic::{self, Diagnostic, Errors};
 use residua_codegen::source::{SourceError, read_scene, read_source};
 use residua_models::{Entry, find};
 use std::fs;
@@ -83,8 +83,7 @@ fn compile(
             help,
         } in mistakes
         {
-            let place = offset(text, range.start.start())..offset(text, range.end.end());
-            print(shown, text, &message, place, help.as_deref());
+            print(shown, text, &message, place(text, range), help.as_deref());
         }
         eprintln!("{shown}: {count}");
         Failure::Reported(2)
@@ -92,12 +91,27 @@ fn compile(
 }
 
 fn print(path: &str, text: &str, message: &str, place: Range<usize>, help: Option<&str>) {
+    eprintln!(
+        "{}\n",
+        snippet(Level::ERROR, path, text, message, place, help)
+    );
+}
+
+/// A message, and the place in the text that it is about.
+pub fn snippet(
+    level: Level,
+    path: &str,
+    text: &str,
+    message: &str,
+    place: Range<usize>,
+    help: Option<&str>,
+) -> String {
     let place =
         place.start.min(text.len())..place.end.clamp(place.start, text.len().max(place.start));
     let snippet = Snippet::source(text)
         .path(path)
         .annotation(AnnotationKind::Primary.span(place));
-    let mut group = Level::ERROR.primary_title(message).element(snippet);
+    let mut group = level.primary_title(message).element(snippet);
     if let Some(help) = help {
         group = group.element(Level::HELP.message(help));
     }
@@ -105,7 +119,19 @@ fn print(path: &str, text: &str, message: &str, place: Range<usize>, help: Optio
         true => Renderer::styled(),
         false => Renderer::plain(),
     };
-    eprintln!("{}\n", renderer.render(&[group]));
+    renderer.render(&[group])
+}
+
+/// The bytes of `text` that an expression takes.
+pub fn place(text: &str, range: diagnostic::Range) -> Range<usize> {
+    offset(text, range.start.start())..offset(text, range.end.end())
+}
+
+/// What is written there, on one line.
+pub fn excerpt(text: &str, range: diagnostic::Range) -> String {
+    let written = text.get(place(text, range)).unwrap_or_default();
+    let words: Vec<&str> = written.split_whitespace().collect();
+    format!("`{}`", words.join(" "))
 }
 
 /// Byte position of a line, counted from 1, and a column, counted in characters from 0.

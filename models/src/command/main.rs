@@ -17,6 +17,7 @@ mod new;
 mod report;
 mod show;
 mod simulate;
+mod stress;
 mod sweep;
 mod table;
 
@@ -42,6 +43,7 @@ enum Verb {
     Simulate(simulate::Simulate),
     Sweep(sweep::Sweep),
     Check(check::Check),
+    Stress(stress::Stress),
     Bench(bench::Bench),
     Explain(explain::Explain),
     Errata(errata::Errata),
@@ -56,6 +58,7 @@ fn main() -> ExitCode {
         Verb::Simulate(simulate) => simulate.run(),
         Verb::Sweep(sweep) => sweep.run(),
         Verb::Check(check) => check.run(),
+        Verb::Stress(stress) => stress.run(),
         Verb::Bench(bench) => bench.run(),
         Verb::Explain(explain) => explain.run(),
         Verb::Errata(errata) => errata.run(),

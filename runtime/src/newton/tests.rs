@@ -180,6 +180,25 @@ fn a_first_correction_within_the_tolerance_is_checked() {
     );
 }
 
+/// Flat at 1, which sends the iteration off to −10¹⁸; from there it comes back to 0, which is no solution: −3 is.
+struct FarAndBack;
+impl Problem<1> for FarAndBack {
+    fn evaluate([x]: [f64; 1]) -> Evaluated<1> {
+        match x {
+            x if x > 0.5 => ([1.0], [[1e-18]]),
+            x if x < -1e6 => ([x], [[1.0]]),
+            _ => ([x * x * x + 27.0], [[3.0 * x * x + 20.0]]),
+        }
+    }
+}
+
+#[test]
+fn coming_back_from_far_away_is_no_convergence() {
+    let (root, outcome) = solve!(FarAndBack, [1.0], DEFAULT);
+    outcome.unwrap();
+    assert!((root[0] + 3.0).abs() < 1e-9, "{root:?}");
+}
+
 /// √x = 1, without a value for x < 0.
 struct SquareRoot;
 impl Problem<1> for SquareRoot {

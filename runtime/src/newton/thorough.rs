@@ -3,6 +3,8 @@
 use core::ops::Range;
 
 use super::Newton;
+use super::rate::is_last;
+use super::rate::is_telling;
 use super::subtract;
 use crate::description::Unknown;
 use crate::error::Failure;
@@ -18,7 +20,7 @@ use crate::scalar::Real;
 use crate::scalar::first_not_finite;
 use crate::settings::AT_ROUNDING;
 use crate::settings::LEFTOVER;
-use crate::settings::RATE_MARGIN;
+use crate::settings::MOST_GROWTH;
 use crate::settings::ROUNDING;
 use crate::settings::TRUSTED_STEPS;
 
@@ -90,10 +92,11 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
 
             let progress = self.progress(&correction, known);
             self.history.push(progress.size.to_f64());
-            if self.history.iterations() == 2 {
+            if self.history.iterations() == 2 && is_telling(before) {
                 self.learn(&correction, known);
             }
-            if self.history.iterations() >= 2 && self.is_last(progress.size, before) {
+            let tolerance = self.settings.tolerance;
+            if self.history.iterations() >= 2 && is_last(progress.size, before, tolerance) {
                 return Ok(self.report(Success::Converged));
             }
             if progress.converged {
@@ -104,7 +107,7 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
             }
             if progress.shrinking {
                 growths = 0;
-            } else if self.residual_is_rounding(known) {
+            } else if self.residual_is_rounding(known) && self.is_determined(&correction, known) {
                 return Ok(self.report(Success::AtFloor));
             } else {
                 growths += 1;
@@ -165,12 +168,6 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
         if is_due && self.shifts.are_many() && self.settings.tolerance >= T::EPSILON {
             self.trust = TRUSTED_STEPS;
         }
-    }
-
-    /// Whether the error left after a correction of size `e` is within the tolerance even if convergence were
-    /// only linear, at the rate of the last two corrections (Hairer and Wanner, *Solving ODEs II*, IV.8).
-    fn is_last(&self, e: T, before: T) -> bool {
-        e * e <= T::constant(RATE_MARGIN) * self.settings.tolerance * before
     }
 
     fn report(&self, success: Success) -> Report {
@@ -241,6 +238,28 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
                 }
                 r.abs() <= rounding * terms
             })
+    }
+
+    /// Whether every block is known to ten digits, or so small that no equation feels it: an unknown that is 0 but for
+    /// rounding has no digits and needs none.
+    fn is_determined(&self, correction: &S::Unknowns, known: &[T]) -> bool {
+        let digits = T::constant(MOST_GROWTH) * T::EPSILON;
+        let rounding = T::constant(ROUNDING) * T::EPSILON;
+        let n = self.r.as_ref().len().max(1);
+        self.blocks(known).all(|(unknowns, scale)| {
+            let part = |row: &[T], unknowns: Range<usize>, scale| {
+                let entries = row[unknowns].iter();
+                entries.fold(T::constant(0.0), |sum, entry| sum + entry.abs() * scale)
+            };
+            let is_felt = self.j.entries().chunks_exact(n).any(|row| {
+                let all = self.blocks(known);
+                let terms = all.fold(T::constant(0.0), |sum, (unknowns, scale)| {
+                    sum + part(row, unknowns, scale)
+                });
+                part(row, unknowns.clone(), scale) > rounding * terms
+            });
+            !is_felt || largest(&correction.as_ref()[unknowns]) <= digits * scale
+        })
     }
 
     /// The blocks of unknowns, each with its scale: the largest |x| in the block and in the state it advances.

@@ -2,6 +2,7 @@
 
 use core::array;
 
+use super::extended::Extended;
 use crate::description::Solver;
 use crate::error::Fault;
 use crate::integration::FlatState;
@@ -27,36 +28,43 @@ pub struct Composed<M, const S: usize, T> {
 }
 
 /// γ₁, …, γ₃ of 5 (Suzuki 1990): 1/(4 − ∛4) and −∛4/(4 − ∛4).
-const FOURTH: [f64; 3] = [
-    0.414_490_771_794_375_737_142_354_062_86,
-    0.414_490_771_794_375_737_142_354_062_86,
-    -0.657_963_087_177_502_948_569_416_251_44,
+const FOURTH: [Extended; 3] = [
+    digits(414_490_771_794_375.0, 737_142_354_062_860.0),
+    digits(414_490_771_794_375.0, 737_142_354_062_860.0),
+    digits(-657_963_087_177_502.0, -948_569_416_251_440.0),
 ];
 
 /// γ₁, …, γ₅ of 9 (Kahan and Li 1997; *Geometric Numerical Integration*, V.3.2, equation 3.11).
-const SIXTH: [f64; 5] = [
-    0.392_161_444_007_314_139_279_250_56,
-    0.332_599_136_789_359_438_599_748_64,
-    -0.706_246_172_557_639_359_809_964_82,
-    0.082_213_596_293_550_800_231_490_45,
-    0.798_543_990_934_829_963_398_950_35,
+const SIXTH: [Extended; 5] = [
+    digits(392_161_444_007_314.0, 139_279_250_560_000.0),
+    digits(332_599_136_789_359.0, 438_599_748_640_000.0),
+    digits(-706_246_172_557_639.0, -359_809_964_820_000.0),
+    digits(82_213_596_293_550.0, 800_231_490_450_000.0),
+    digits(798_543_990_934_829.0, 963_398_950_350_000.0),
 ];
 
 /// γ₁, …, γ₈ of 15 (Suzuki and Umeno 1993, McLachlan 1995; *Geometric Numerical Integration*, V.3.2, equation 3.12).
-const EIGHTH: [f64; 8] = [
-    0.741_670_364_350_612_953_448_227_80,
-    -0.409_100_825_800_031_593_997_300_10,
-    0.190_754_710_296_238_379_953_876_26,
-    -0.573_862_471_116_082_266_656_387_73,
-    0.299_064_181_303_655_923_844_463_54,
-    0.334_624_918_245_298_183_784_957_98,
-    0.315_293_092_396_766_596_632_056_66,
-    -0.796_887_939_352_916_354_019_788_84,
+const EIGHTH: [Extended; 8] = [
+    digits(741_670_364_350_612.0, 953_448_227_800_000.0),
+    digits(-409_100_825_800_031.0, -593_997_300_100_000.0),
+    digits(190_754_710_296_238.0, 379_953_876_260_000.0),
+    digits(-573_862_471_116_082.0, -266_656_387_730_000.0),
+    digits(299_064_181_303_655.0, 923_844_463_540_000.0),
+    digits(334_624_918_245_298.0, 183_784_957_980_000.0),
+    digits(315_293_092_396_766.0, 596_632_056_660_000.0),
+    digits(-796_887_939_352_916.0, -354_019_788_840_000.0),
 ];
 
+/// A number of 30 digits behind the point, fifteen and fifteen.
+const fn digits(first: f64, second: f64) -> Extended {
+    let unit = Extended::new(1e15);
+    let second = Extended::new(second).div(unit);
+    Extended::new(first).add(second).div(unit)
+}
+
 /// γ₁, …, γₛ.
-fn gammas<const S: usize>() -> [f64; S] {
-    let half: &[f64] = match S {
+fn gammas<const S: usize>() -> [Extended; S] {
+    let half: &[Extended] = match S {
         5 => &FOURTH,
         9 => &SIXTH,
         _ => &EIGHTH,
@@ -71,8 +79,14 @@ impl<M: Method<T>, T: Real, const S: usize> Method<T> for Composed<M, S, T> {
         const { assert!(matches!(S, 5 | 9 | 15), "5, 9 or 15 steps") };
         let gammas = gammas::<S>();
         Self {
-            steps: gammas.map(|gamma| M::new(parameters, T::constant(gamma) * h)),
-            starts: array::from_fn(|i| T::constant(gammas[..i].iter().sum()) * h),
+            steps: gammas.map(|gamma| M::new(parameters, gamma.to::<T>() * h)),
+            starts: array::from_fn(|i| {
+                let before = gammas[..i].iter();
+                before
+                    .fold(Extended::ZERO, |sum, gamma| sum.add(*gamma))
+                    .to::<T>()
+                    * h
+            }),
         }
     }
 

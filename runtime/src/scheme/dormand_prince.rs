@@ -1,9 +1,9 @@
 //! The explicit pair of Dormand and Prince.
 
+use super::Attempt;
+use super::Tolerance;
+use super::Variable;
 use super::controlled::Adaptive;
-use super::controlled::Attempt;
-use super::controlled::Tolerance;
-use super::controlled::Variable;
 use super::gauss::zeros;
 use super::rates;
 use crate::error::Fault;
@@ -132,7 +132,8 @@ impl<M: Flow<T>, T: Real> Variable<T> for Pair<M, T> {
             self.rates[i + 1] = rates::<M, T>(&self.scene, time, &at);
         }
         statistics.flows += 6;
-        self.end = require_finite(at)?;
+        require_finite(&at)?;
+        self.end = at;
         let mut error = T::constant(0.0);
         let errors = moved(&zeros::<M, T>(), h, &ERROR, &self.rates);
         let components = errors.as_ref().iter().zip(x.as_ref()).zip(at.as_ref());

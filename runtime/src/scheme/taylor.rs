@@ -74,13 +74,11 @@ impl<M: Series<T>, T: Convolved> Method<T> for Taylor<M, T> {
         statistics.flows += 1;
         let change = self.expansion.increment();
         let (sum, lost) = compensated_sums(x, &change, &self.lost);
-        match require_finite(sum) {
-            Ok(sum) => (*x, self.lost) = (sum, lost),
-            Err(fault) => {
-                self.expansion.forget();
-                return Err(fault);
-            }
+        if let Err(fault) = require_finite(&sum) {
+            self.expansion.forget();
+            return Err(fault);
         }
+        (*x, self.lost) = (sum, lost);
         Ok(Report::converged(0))
     }
 

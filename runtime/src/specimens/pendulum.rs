@@ -25,6 +25,7 @@ pub static MODEL: Catalogued = Catalogued {
     model: &ErasedModel::<Model>::NEW,
     solvers: &[&ErasedSolver::<Next>::NEW],
     flow: Some(&ErasedFlow::<Model>::NEW),
+    series: None,
 };
 
 /// c = g/l, and the units u and v.
@@ -240,6 +241,7 @@ static DESCRIPTION: Description = Description {
     }],
     claims: &[],
     has_flow: true,
+    no_series: Some("it is written by hand"),
     counts: &[],
     scene: None,
 };

@@ -81,6 +81,7 @@ impl<P: Problem<N>, const N: usize> Model<f64> for Root<P, N> {
         }],
         claims: &[],
         has_flow: false,
+        no_series: None,
         counts: &[],
         scene: None,
     };

@@ -1,6 +1,7 @@
 //! `residua simulate`: a run, its rows, its picture, and a summary.
 
 mod drift;
+mod failed;
 pub mod plan;
 mod recorder;
 mod rows;
@@ -13,12 +14,12 @@ use crate::notation;
 use crate::plot;
 use crate::plot::Figure;
 use clap::{Args, ValueEnum};
-use plan::{Plan, Scheme, plan};
+use plan::{Plan, Scheme, Terms, plan};
 use recorder::Recorder;
 use residua::description::Description;
 use residua::erased::{Observer, Run, Sample};
 use residua::{Catalogued, RunError, Settings, Statistics, Strategy};
-use residua_models::find;
+use residua_models::{Entry, find};
 use rows::Rows;
 use std::fs::File;
 use std::io::{self, BufWriter, IsTerminal, Write};
@@ -37,7 +38,7 @@ pub struct Simulate {
     #[arg(long, value_name = "next|increment")]
     form: Option<String>,
     /// newton on the discrete equations; or on the continuous ones rk4, midpoint, trapezoidal, gauss2 … gauss8 (of order
-    /// 4 … 16), composition4, 6 or 8 (of midpoint rules), dopri5
+    /// 4 … 16), composition4, 6 or 8 (of midpoint rules), dopri5, taylor, taylor1 … taylor24
     #[arg(long, value_name = "NAME", default_value = plan::NEWTON)]
     scheme: String,
     /// Set a parameter: `--set m=3`, `--set "J=diag(1,2.8,2)"`, `--set "J(2,2)=3"`
@@ -55,8 +56,9 @@ pub struct Simulate {
     /// Keep every N-th step, and the last one
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
     every: u64,
-    /// newton: largest correction, relative to the size of what it corrects [default: 1e-12]; gauss3 … gauss8, dopri5: largest
-    /// error of a step, the length of which then follows it, with outputs every H [default: steps of H; dopri5: 1e-9]
+    /// newton: largest correction, relative to the size of what it corrects [default: 1e-12]; gauss3 … gauss8, dopri5,
+    /// taylor: largest error of a step, the length of which then follows it, with outputs every H [default: steps of H;
+    /// dopri5, taylor: 1e-9]
     #[arg(long, value_name = "EPS", allow_negative_numbers = true)]
     tolerance: Option<f64>,
     /// Which unknowns Newton's method iterates on; those that enter linearly need not be [default: core]
@@ -99,7 +101,8 @@ impl From<StrategyName> for Strategy {
 impl Simulate {
     /// Runs the model.
     pub fn run(self) -> Result<(), Failure> {
-        let model = find(&self.model)?.catalogued;
+        let entry = find(&self.model)?;
+        let model = entry.catalogued;
         let plan = plan(&self, model)?;
         if let Some(note) = plan.note.as_ref().filter(|_| !self.quiet) {
             eprintln!("note: {note}");
@@ -112,7 +115,7 @@ impl Simulate {
         let picture = self.plot.as_deref().map(create).transpose()?;
         let mut recorder = self.recorder(model, &plan)?;
         let clock = Instant::now();
-        let outcome = self.advance(&plan, &mut recorder);
+        let outcome = self.advance(entry, &plan, &mut recorder);
         let elapsed = clock.elapsed();
         let recorded = recorder.finish()?;
         // What was computed before a failure is as good as in any run, so it is shown as well.
@@ -159,10 +162,21 @@ impl Simulate {
         Ok(())
     }
 
-    fn advance(&self, plan: &Plan, recorder: &mut Recorder) -> Result<Statistics, Failure> {
+    fn advance(
+        &self,
+        entry: &Entry,
+        plan: &Plan,
+        recorder: &mut Recorder,
+    ) -> Result<Statistics, Failure> {
         let mut observer = |sample: Sample<'_>| recorder.take(&sample);
-        let outcome = simulate(plan, &self.planned(plan), &mut observer);
-        outcome.map_err(|error| Failure::Run(error.to_string()))
+        let run = self.planned(plan);
+        let outcome = simulate(plan, &run, &mut observer);
+        outcome.map_err(|error| match (&error, &plan.scheme) {
+            (RunError::Step(step), Scheme::Newton(solver)) => {
+                Failure::Run(failed::explain(entry, *solver, &run, step))
+            }
+            _ => Failure::Run(error.to_string()),
+        })
     }
 
     fn planned<'a>(&self, plan: &'a Plan) -> Run<'a> {
@@ -186,6 +200,7 @@ impl Simulate {
         let scheme = match plan.scheme {
             Scheme::Newton(solver) => format!("{} form", solver.solver().form),
             Scheme::Flow(_, scheme) => scheme.name().to_owned(),
+            Scheme::Series(..) => self.scheme.clone(),
         };
         let pace = statistics.and_then(iterations);
         let set = self.set.iter().chain(&self.start).map(ToString::to_string);
@@ -209,6 +224,10 @@ fn simulate(plan: &Plan, run: &Run, observer: &mut Observer) -> Result<Statistic
     match plan.scheme {
         Scheme::Newton(solver) => solver.simulate(run, observer),
         Scheme::Flow(flow, scheme) => flow.simulate(scheme, run, observer),
+        Scheme::Series(series, Terms::Order(order)) => series.simulate(run, order, observer),
+        Scheme::Series(series, Terms::Within(tolerance)) => {
+            series.simulate_within(run, tolerance, observer)
+        }
     }
 }
 

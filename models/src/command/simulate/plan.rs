@@ -1,5 +1,7 @@
 //! From the options of `simulate` to a run that can start.
 
+mod scheme;
+
 use super::Simulate;
 use crate::assignment::{Assignment, Target, assign};
 use crate::expression::Symbol;
@@ -7,9 +9,10 @@ use crate::failure::Failure;
 use crate::notation::number;
 use crate::values;
 use residua::Catalogued;
-use residua::Tolerance;
 use residua::description::{Description, Variable};
-use residua::erased::{self, AnyFlow, AnySolver};
+use scheme::scheme;
+
+pub use scheme::{NEWTON, Scheme, Terms, solver};
 
 /// More steps than this are taken for a mistake: at 100 ns a step they last a day.
 const MAX_STEPS: f64 = 1e12;
@@ -21,9 +24,6 @@ const UNTIL: f64 = 10.0;
 /// How far `until / step` may fall short of a whole number for a run that is meant to end there.
 /// It covers the rounding of decimal steps, [steps].
 const END_TOLERANCE: f64 = 1e-9;
-
-/// The scheme that solves discrete equations.
-pub const NEWTON: &str = "newton";
 
 /// A run that can start.
 pub struct Plan {
@@ -39,15 +39,6 @@ pub struct Plan {
     pub steps: u64,
     /// What the user should know before the run.
     pub note: Option<String>,
-}
-
-/// What advances the state.
-#[derive(Clone, Copy)]
-pub enum Scheme {
-    /// The discrete equations.
-    Newton(&'static dyn AnySolver),
-    /// A scheme on the continuous ones.
-    Flow(&'static dyn AnyFlow, erased::Scheme),
 }
 
 /// Checks the options against the model.
@@ -121,58 +112,6 @@ fn steps(step: f64, until: f64) -> Result<Span, Failure> {
         step,
         steps: steps as u64,
         note: (!whole).then_some(note),
-    })
-}
-
-fn scheme(options: &Simulate, model: &Catalogued) -> Result<Scheme, Failure> {
-    let name = model.description.name;
-    if options.scheme == NEWTON {
-        return solver(options.form.as_deref(), model).map(Scheme::Newton);
-    }
-    let word = options.scheme.as_str();
-    let Some(scheme) = erased::Scheme::named(word) else {
-        let known = erased::Scheme::names().chain([NEWTON]);
-        let names: Vec<&str> = erased::Scheme::names().chain([NEWTON]).collect();
-        let message = format!("there is no scheme `{word}`, only {}", names.join(", "));
-        return Err(Failure::unknown(message, word, known));
-    };
-    if options.form.is_some() {
-        return Err(Failure::input(format!(
-            "--form chooses discrete equations, and {word} integrates the continuous ones"
-        )));
-    }
-    let flow = model.flow.ok_or_else(|| {
-        Failure::input_with_help(
-            format!("`{name}` has no continuous equations for {word}"),
-            "give its model file a `flow { … }`",
-        )
-    })?;
-    let Some(tolerance) = options.tolerance else {
-        return Ok(Scheme::Flow(flow, scheme));
-    };
-    let within = scheme.within(Tolerance::both(tolerance));
-    let scheme = within.ok_or_else(|| {
-        Failure::input_with_help(
-            format!("{word} has no error estimate that could keep to a tolerance"),
-            "gauss3 … gauss8 and dopri5 have one",
-        )
-    })?;
-    Ok(Scheme::Flow(flow, scheme))
-}
-
-/// The solver of a form, or the first one.
-pub fn solver(form: Option<&str>, model: &Catalogued) -> Result<&'static dyn AnySolver, Failure> {
-    let name = model.description.name;
-    let wanted = |solver: &&&'static dyn AnySolver| form.is_none_or(|f| solver.solver().form == f);
-    model.solvers.iter().find(wanted).copied().ok_or_else(|| {
-        let forms: Vec<&str> = model.solvers.iter().map(|s| s.solver().form).collect();
-        Failure::input(match form {
-            Some(form) => format!(
-                "`{name}` has no form `{form}`, only {}",
-                forms.join(" and ")
-            ),
-            None => format!("`{name}` has no discrete equations"),
-        })
     })
 }
 

@@ -1,10 +1,15 @@
-//! What generated code may ask of a number.
+//! What generated code, and the graphs that it is generated from, may ask of a number.
 
+use residua::Packed;
+use residua::Plain;
 use residua::Real;
 use residua::Scalar;
+use residua::Work;
 use residua::convolution::Convolutions;
 use residua::convolution::Convolved;
 use residua::convolution::Each;
+use residua_codegen::dag::Elementary;
+use residua_codegen::dag::Number;
 
 use super::Double;
 
@@ -18,6 +23,14 @@ impl Real for Double {
 
     fn to_f64(self) -> f64 {
         Double::to_f64(self)
+    }
+}
+
+impl Packed for Double {
+    type Pack<const N: usize> = residua::Each<Self, N>;
+
+    fn work<W: Work<Self>>(work: W) -> W::Output {
+        work.run(Plain)
     }
 }
 
@@ -107,6 +120,51 @@ impl Scalar for Double {
             factorial = factorial * f64::from(lower + 1) * f64::from(lower + 2);
         }
         value
+    }
+}
+
+impl Number for Double {
+    fn constant(high: f64, low: f64) -> Self {
+        Self::from(high) + Self::from(low)
+    }
+
+    fn power(self, exponent: i32) -> Self {
+        let (mut power, mut base) = (Self::ONE, self);
+        let mut left = exponent.unsigned_abs();
+        while left > 0 {
+            if left % 2 == 1 {
+                power = power * base;
+            }
+            base = base.squared();
+            left /= 2;
+        }
+        if exponent < 0 {
+            return Self::ONE / power;
+        }
+        power
+    }
+
+    fn call(function: Elementary, x: Self, y: Option<Self>) -> Self {
+        let y = y.unwrap_or(Self::from(f64::NAN));
+        match function {
+            Elementary::Sin => Scalar::sin(x),
+            Elementary::Cos => Scalar::cos(x),
+            Elementary::Tan => Scalar::tan(x),
+            Elementary::Asin => Scalar::asin(x),
+            Elementary::Acos => Scalar::acos(x),
+            Elementary::Atan => Scalar::atan(x),
+            Elementary::Atan2 => Scalar::atan2(x, y),
+            Elementary::Sinh => Scalar::sinh(x),
+            Elementary::Cosh => Scalar::cosh(x),
+            Elementary::Tanh => Scalar::tanh(x),
+            Elementary::Exp => Scalar::exp(x),
+            Elementary::Log => Scalar::ln(x),
+            Elementary::Sqrt => Scalar::sqrt(x),
+            Elementary::Abs => Scalar::abs(x),
+            Elementary::Sign => Scalar::sign(x),
+            Elementary::Power => Scalar::powf(x, y),
+            Elementary::Stumpff(n) => Scalar::stumpff(x, n),
+        }
     }
 }
 

@@ -11,8 +11,9 @@ use crate::ensemble::rows::Row;
 use crate::ensemble::rows::WIDTH;
 use crate::ensemble::rows::merge;
 use crate::ensemble::rows::zeros;
+use crate::newton::rate::is_last;
+use crate::newton::rate::is_telling;
 use crate::settings::MOST_QUICK;
-use crate::settings::RATE_MARGIN;
 use crate::settings::TRUSTED_STEPS;
 
 impl Group<'_> {
@@ -79,11 +80,12 @@ impl Group<'_> {
             let now = judge::progress(blocks, &self.state, &last_x, &self.correction, tolerance);
             if round == 2 {
                 let limits = judge::limits(blocks, &self.state, &last_x, &first, &self.correction);
-                self.learn(&open, &limits);
+                let telling = core::array::from_fn(|i| open[i] && is_telling(before.size[i]));
+                self.learn(&telling, &limits);
             }
             let mut accepted = [false; WIDTH];
             for i in 0..WIDTH {
-                let is_last = now.size[i] * now.size[i] <= RATE_MARGIN * tolerance * before.size[i];
+                let is_last = is_last(now.size[i], before.size[i], tolerance);
                 let is_small = now.converged[i] && now.size[i] <= before.size[i];
                 let is_enough = self.within[i] != 0.0 || is_last || is_small;
                 accepted[i] = open[i] && self.sound[i] != 0.0 && is_enough;

@@ -1,6 +1,5 @@
 //! The tableau in the numbers of a run, padded to eight stages.
 
-use super::extended::Extended;
 use super::tableau::Tableau;
 use crate::scalar::Real;
 
@@ -41,19 +40,19 @@ impl<T: Real> Coefficients<T> {
 
     fn of<const S: usize>(tableau: &Tableau<S>) -> Self {
         let zero = T::constant(0.0);
-        let (mut c, mut b) = ([number(tableau.c[S - 1]); LANES], [zero; LANES]);
+        let (mut c, mut b) = ([tableau.c[S - 1].to(); LANES], [zero; LANES]);
         let (mut mu, mut legendre) = ([[zero; LANES]; LANES], [[zero; LANES]; LANES]);
         for i in 0..S {
-            c[i] = number(tableau.c[i]);
-            b[i] = number(tableau.b[i]);
+            c[i] = tableau.c[i].to();
+            b[i] = tableau.b[i].to();
             for j in 0..S {
                 // The larger of a pair is at least 1/2, so that the difference from 1 is exact.
                 mu[j][i] = match tableau.mu[i][j].hi {
                     _ if i == j => T::constant(0.5),
-                    large if large > 0.5 => number(tableau.mu[i][j]),
-                    _ => T::constant(1.0) - number(tableau.mu[j][i]),
+                    large if large > 0.5 => tableau.mu[i][j].to(),
+                    _ => T::constant(1.0) - tableau.mu[j][i].to(),
                 };
-                legendre[j][i] = number(tableau.legendre[i][j].div(tableau.b[j]));
+                legendre[j][i] = tableau.legendre[i][j].div(tableau.b[j]).to();
             }
         }
         Self {
@@ -135,8 +134,4 @@ pub(crate) fn legendre<T: Real>(x: T) -> Row<T> {
         p[k + 1] = (a * y * p[k] - b * p[k - 1]) / T::constant((k + 1) as f64);
     }
     p
-}
-
-fn number<T: Real>(value: Extended) -> T {
-    T::constant(value.hi) + T::constant(value.lo)
 }

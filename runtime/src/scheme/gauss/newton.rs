@@ -6,6 +6,7 @@ use super::Stages;
 use super::coefficients::LANES;
 use super::coefficients::Row;
 use super::sweeps::End;
+use super::within_digits;
 use super::zeros;
 use crate::model::Flow;
 use crate::packed::Pack;
@@ -16,8 +17,8 @@ use crate::scheme::rates;
 /// Components of the largest state that is solved for; two rows of lanes hold a row of its Jacobian.
 const MOST_COMPONENTS: usize = 2 * LANES;
 
-/// Corrections before they are given up.
-const MOST_CORRECTIONS: usize = 40;
+/// Corrections before they are given up, in double precision.
+const MOST_CORRECTIONS: u32 = 40;
 
 /// Corrections with a Jacobian after which the next step gets a new one.
 const SLOW: usize = 12;
@@ -124,7 +125,8 @@ impl<M: Collocated<T>, T: Packed> Corrections<'_, M, T> {
         let times = T::Pack::pack(self.times);
         let mut before = None;
         let mut growths = 0;
-        for made in 0..MOST_CORRECTIONS {
+        let most = within_digits::<T>(MOST_CORRECTIONS) as usize;
+        for made in 0..most {
             let f = rates::<M, T::Pack<LANES>>(self.scene, times, &x);
             statistics.flows += s as u64;
             for (to, f) in self.rates.as_mut().iter_mut().zip(f.as_ref()) {
@@ -197,7 +199,7 @@ impl<M: Collocated<T>, T: Packed> Corrections<'_, M, T> {
                 return (End::Slow, made);
             }
         }
-        (End::Slow, MOST_CORRECTIONS)
+        (End::Slow, most)
     }
 
     /// h L of A = L U with ones on the diagonal of U.

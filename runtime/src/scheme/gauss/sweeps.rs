@@ -4,6 +4,7 @@ use super::Collocated;
 use super::Stages;
 use super::coefficients::LANES;
 use super::coefficients::Row;
+use super::within_digits;
 use crate::integration::FlatState;
 use crate::model::Flow;
 use crate::packed::Arithmetic;
@@ -14,7 +15,7 @@ use crate::packed::Work;
 /// Sweeps in which the change does not shrink before the sweeps are given up. Fewer give up on a bad start.
 const MOST_GROWTHS: u32 = 2;
 
-/// Sweeps before they are given up: there, Newton's method costs less.
+/// Sweeps before they are given up, in double precision: there, Newton's method costs less.
 const MOST_SWEEPS: u32 = 60;
 
 /// Sweeps over which changes are summed up and rates are measured: where positions move momenta and these move positions,
@@ -79,6 +80,7 @@ impl<M: Collocated<T>, T: Packed> Work<T> for Sweeps<'_, M, T> {
         }
 
         let [zero, half, one] = [0.0, 0.5, 1.0].map(T::constant);
+        let most = within_digits::<T>(MOST_SWEEPS);
         let (mut sweeps, mut growths) = (0, 0);
         // Sweeps to the next look at the changes, and those since the last that are looked at.
         let (mut next_look, mut is_last) = (PAIR, false);
@@ -150,13 +152,13 @@ impl<M: Collocated<T>, T: Packed> Work<T> for Sweeps<'_, M, T> {
                 let rate = change / former;
                 let mut left = change * rate / (one - rate);
                 let mut more = 0;
-                while left > one && more < MOST_SWEEPS {
+                while left > one && more < most {
                     left = left * rate;
                     more += PAIR;
                 }
                 let is_rounding = change <= self.floor && rate > half;
                 is_last = more == 0 || is_rounding;
-                if sweeps + more > MOST_SWEEPS && !is_last {
+                if sweeps + more > most && !is_last {
                     return (End::Slow, sweeps);
                 }
                 next_look = u32::max(more, PAIR);

@@ -10,7 +10,7 @@
 //! μᵢⱼ + μⱼᵢ = 1 in floating point, too: Antoñana, Makazaga and Murua, *Reducing and monitoring round-off error
 //! propagation for symplectic implicit Runge–Kutta schemes*, Numer. Algorithms 76 (2017).
 
-use super::extended::Extended;
+use crate::scheme::extended::Extended;
 
 /// The coefficients of `S` stages.
 #[derive(Debug, Clone, Copy)]

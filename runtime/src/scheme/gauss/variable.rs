@@ -105,7 +105,7 @@ impl<M: Collocated<T>, const S: usize, T: Packed> Variable<T> for VariableGauss<
         let sweeps = self
             .core
             .solve(t, x, h, &self.weights, self.floor, statistics)?;
-        require_finite(self.core.change)?;
+        require_finite(&self.core.change)?;
 
         let sizes = &self.core.spectrum;
         let low = larger(sizes[0], sizes[1]).sqrt();

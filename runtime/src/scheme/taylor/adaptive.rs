@@ -118,7 +118,8 @@ impl<M: Series<T>, T: Convolved> Method<T> for Adaptive<M, T> {
         let change = self.expansion.change(theta);
         let start = self.expansion.coefficients()[0];
         let (sum, _) = compensated_sums(&start, &change, &piece.lost);
-        *x = require_finite(sum)?;
+        require_finite(&sum)?;
+        *x = sum;
         piece.given = *x;
         self.piece = Some(piece);
         Ok(Report::converged(0))
@@ -189,8 +190,8 @@ impl<M: Series<T>, T: Convolved> Adaptive<M, T> {
             false => self.expansion.change(piece.length / unit),
         };
         let start = self.expansion.coefficients()[0];
-        let (sum, lost) = compensated_sums(&start, &change, &piece.lost);
-        let x = require_finite(sum)?;
+        let (x, lost) = compensated_sums(&start, &change, &piece.lost);
+        require_finite(&x)?;
         let (t, rest) = compensated_sum(piece.start, piece.length + piece.rest);
         self.expansion.expand(t, &x, piece.next);
         statistics.flows += 1;

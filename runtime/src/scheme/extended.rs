@@ -2,6 +2,8 @@
 //!
 //! Source: Dekker, *A floating-point technique for extending the available precision*, Numer. Math. 18 (1971).
 
+use crate::scalar::Scalar;
+
 /// The unevaluated sum of two `f64`, some 31 digits.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Extended {
@@ -47,6 +49,11 @@ impl Extended {
         let second = rest.hi / other.hi;
         let rest = rest.sub(other.mul(Self::new(second)));
         fast_sum(first, second).add(Self::new(rest.hi / other.hi))
+    }
+
+    /// In the numbers of a run.
+    pub(crate) fn to<T: Scalar>(self) -> T {
+        T::constant(self.hi) + T::constant(self.lo)
     }
 }
 
