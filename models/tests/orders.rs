@@ -1,19 +1,26 @@
-//! Orders of convergence, in double-double numbers: between errors that are not yet hᵖ and such that are rounding lie twenty
-//! digits, enough for order 16.
+//! Orders of convergence of the schemes that have names, as types and by name.
 
 #[path = "support/body.rs"]
 mod body;
+#[path = "support/order.rs"]
+mod order;
 
 use body::asymmetric;
-use body::distance;
+use order::distance;
+use order::order_of;
 use residua::Collocation;
 use residua::Composed;
 use residua::Ends;
 use residua::Explicit;
 use residua::Integration;
 use residua::Method;
+use residua::Pair;
 use residua::Record;
 use residua::Settings;
+use residua::Statistics;
+use residua::Tolerance;
+use residua::Variable;
+use residua::VariableGauss;
 use residua::erased::Run;
 use residua::erased::Scheme;
 use residua_models::dsl::spatial_reduced::MODEL;
@@ -21,13 +28,6 @@ use residua_models::dsl::spatial_reduced::Model;
 use residua_models::exact::Double;
 use residua_models::exact::reference;
 use std::ops::ControlFlow;
-
-/// Errors from here on are proportional to hᵖ: 1e-31 of rounding, in a thousand steps and in a motion that stretches it by
-/// ten.
-const LEAST_ERROR: f64 = 1e-26;
-
-/// The most steps of low orders: there, what is next in h is a thousandth.
-const MOST_STEPS: u32 = 256;
 
 const END: f64 = 1.0;
 
@@ -40,20 +40,8 @@ fn state_after<S: Method<Double, Model = Model>>(steps: u32) -> Option<Vec<Doubl
     outcome.ok().map(|()| run.state_array().to_vec())
 }
 
-/// The slope of the error between the shortest step whose error is none of rounding and twice that step.
 fn order<S: Method<Double, Model = Model>>(exact: &[Double]) -> f64 {
-    let error = |steps| state_after::<S>(steps).map_or(f64::INFINITY, |x| distance(&x, exact));
-    let (mut steps, mut coarse, mut order) = (4, error(4), f64::NAN);
-    while steps < MOST_STEPS {
-        steps *= 2;
-        let fine = error(steps);
-        if fine < LEAST_ERROR {
-            break;
-        }
-        order = (coarse / fine).log2();
-        coarse = fine;
-    }
-    order
+    order_of(|steps| state_after::<S>(steps).map_or(f64::INFINITY, |x| distance(&x, exact)))
 }
 
 type Midpoint = Collocation<Model, 1, Double>;
@@ -116,6 +104,79 @@ fn orders_are_what_theory_says() {
     }
 }
 
+/// The estimate of the first of some equal steps, the state in the middle of it, and that after all.
+fn tried<V: Variable<Double, Model = Model>>(steps: u32) -> (f64, [Vec<Double>; 2]) {
+    let (parameters, start) = asymmetric::<Double>();
+    let h = Double::from(END) / Double::from(f64::from(steps));
+    let tolerance = Tolerance::both(Double::from(ROUNDING));
+    let mut scheme = V::new(&parameters);
+    let mut statistics = Statistics::default();
+    let mut attempt = |scheme: &mut V, x, k| {
+        let t = h * Double::from(f64::from(k));
+        let tried = scheme.attempt(t, x, h, &tolerance, &mut statistics);
+        tried.unwrap().error.to_f64() * ROUNDING
+    };
+    let mut x = start.to_array();
+    let estimate = attempt(&mut scheme, &x, 0);
+    x = scheme.accept();
+    let middle = scheme.at(Double::from(0.5));
+    for k in 1..steps {
+        attempt(&mut scheme, &x, k);
+        x = scheme.accept();
+    }
+    (estimate, [middle.to_vec(), x.to_vec()])
+}
+
+/// Stages are solved to a tenth of it.
+const ROUNDING: f64 = 1e-30;
+
+/// Orders of the end of a run, of the estimate, and of the error of the state in the middle of a single step, which is one
+/// more than that of the output between steps.
+fn orders_of<V: Variable<Double, Model = Model>>(exact: &[Double]) -> [f64; 3] {
+    let middle = |steps: u32| {
+        let (parameters, start) = asymmetric::<Double>();
+        let exact = reference::<Model>(parameters, start, END / f64::from(2 * steps), 1, None);
+        distance(&tried::<V>(steps).1[0], &exact.unwrap()[0])
+    };
+    [
+        order_of(|steps| distance(&tried::<V>(steps).1[1], exact)),
+        order_of(|steps| tried::<V>(steps).0),
+        order_of(middle),
+    ]
+}
+
+/// Dormand and Prince: 5, 5, and 4 between steps. Gauss: 2 S, 2 S − 1, and as exact between steps.
+#[test]
+fn orders_of_variable_steps_are_what_theory_says() {
+    let (parameters, start) = asymmetric::<Double>();
+    let exact = reference::<Model>(parameters, start, END, 1, None).unwrap();
+    let exact = &exact[0];
+    let all = [
+        ("dopri5", [5, 5, 5], orders_of::<Pair<Model, Double>>(exact)),
+        ("gauss3", [6, 5, 7], by_gauss::<3>(exact)),
+        ("gauss4", [8, 7, 9], by_gauss::<4>(exact)),
+        ("gauss5", [10, 9, 11], by_gauss::<5>(exact)),
+        ("gauss6", [12, 11, 13], by_gauss::<6>(exact)),
+        ("gauss7", [14, 13, 15], by_gauss::<7>(exact)),
+        ("gauss8", [16, 15, 17], by_gauss::<8>(exact)),
+    ];
+    for (name, _, measured) in all {
+        println!("{name}: {measured:?}");
+    }
+    for (name, expected, measured) in all {
+        for (expected, measured) in expected.into_iter().zip(measured) {
+            let off = measured - f64::from(expected);
+            assert!(off.abs() < 0.25, "{name}: {measured} for {expected}");
+        }
+        let within = Scheme::named(name).unwrap().within(Tolerance::both(1e-9));
+        assert_eq!(within.unwrap().order(), expected[1] as usize, "{name}");
+    }
+}
+
+fn by_gauss<const S: usize>(exact: &[Double]) -> [f64; 3] {
+    orders_of::<VariableGauss<Model, S, Double>>(exact)
+}
+
 /// One compiled function takes any number of stages: the same numbers as the method of that many stages, to the last bit.
 #[test]
 fn names_run_what_is_measured() {
@@ -136,24 +197,32 @@ fn names_run_what_is_measured() {
         every: 0,
         settings: Settings::default(),
     };
+    type Rule = Collocation<Model, 1, f64>;
     let all = [
-        typed::<Collocation<Model, 1, f64>>(),
-        typed::<Collocation<Model, 2, f64>>(),
-        typed::<Collocation<Model, 3, f64>>(),
-        typed::<Collocation<Model, 4, f64>>(),
-        typed::<Collocation<Model, 5, f64>>(),
-        typed::<Collocation<Model, 6, f64>>(),
-        typed::<Collocation<Model, 7, f64>>(),
-        typed::<Collocation<Model, 8, f64>>(),
+        ("rk4", typed::<Explicit<Model, f64>>()),
+        ("midpoint", typed::<Rule>()),
+        ("trapezoidal", typed::<Ends<Model, f64>>()),
+        ("gauss2", typed::<Collocation<Model, 2, f64>>()),
+        ("gauss3", typed::<Collocation<Model, 3, f64>>()),
+        ("gauss4", typed::<Collocation<Model, 4, f64>>()),
+        ("gauss5", typed::<Collocation<Model, 5, f64>>()),
+        ("gauss6", typed::<Collocation<Model, 6, f64>>()),
+        ("gauss7", typed::<Collocation<Model, 7, f64>>()),
+        ("gauss8", typed::<Collocation<Model, 8, f64>>()),
+        ("composition4", typed::<Composed<Rule, 5, f64>>()),
+        ("composition6", typed::<Composed<Rule, 9, f64>>()),
+        ("composition8", typed::<Composed<Rule, 15, f64>>()),
     ];
-    for (i, typed) in all.iter().enumerate() {
+    for (name, typed) in &all {
         let mut last = Vec::new();
-        let scheme = Scheme::Gauss { stages: i + 1 };
+        let scheme = Scheme::named(name).unwrap();
         let outcome = MODEL.flow.unwrap().simulate(scheme, &run, &mut |sample| {
             last = sample.state.to_vec();
             ControlFlow::Continue(())
         });
         outcome.unwrap();
-        assert_eq!(&last, typed, "{scheme:?}");
+        assert_eq!(&last, typed, "{name}");
     }
+    // All but those that choose their steps.
+    assert_eq!(all.len() + 1, Scheme::names().count());
 }

@@ -2,9 +2,12 @@
 
 #[path = "support/body.rs"]
 mod body;
+#[path = "support/order.rs"]
+mod order;
 
 use body::asymmetric;
-use body::distance;
+use order::distance;
+use order::order_of;
 use residua::Record;
 use residua::Series;
 use residua::Settings;
@@ -171,9 +174,9 @@ fn models_run_as_with_gauss_collocation() {
     }
 }
 
-fn end(order: usize, steps: usize, until: f64) -> Vec<Double> {
+fn end(order: usize, steps: u32, until: f64) -> Vec<Double> {
     let (parameters, start) = asymmetric::<Double>();
-    let h = Double::from(until) / Double::from(steps as f64);
+    let h = Double::from(until) / Double::from(f64::from(steps));
     let run = TaylorSeries::<dsl::spatial_reduced::Model, Double>::new(parameters, start, h);
     let mut run = run.unwrap().with_order(order);
     for _ in 0..steps {
@@ -185,12 +188,9 @@ fn end(order: usize, steps: usize, until: f64) -> Vec<Double> {
 #[test]
 fn orders_are_those_asked_for() {
     let exact = end(24, 512, 1.0);
-    for order in 2..=24 {
-        // Short for what is next in low orders, long for the digits in high ones.
-        let steps = if order < 10 { 256 } else { 32 };
-        let [coarse, fine] =
-            [steps, 2 * steps].map(|steps| distance(&end(order, steps, 1.0), &exact));
-        let measured = (coarse / fine).log2();
+    for order in 1..=MOST_ORDER {
+        let error = |steps| distance(&end(order, steps, 1.0), &exact);
+        let measured = order_of(error);
         assert!(
             (measured - order as f64).abs() < 0.25,
             "{order}: {measured}"

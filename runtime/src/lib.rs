@@ -36,8 +36,10 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! - [`Stepper`] solves the discrete equations by Newton's method, [`RungeKutta4`] integrates the continuous
-//!   ones; both are an [`Integration`]. Time is t₀ + k h, never a sum of steps.
+//! - [`Stepper`] solves the discrete equations by Newton's method. The continuous ones are integrated by [`Gauss`]
+//!   collocation, a [`Composition`] of midpoint rules, the [`Trapezoidal`] rule, [`RungeKutta4`] or [`taylor`] series, and in
+//!   steps that follow their error by an [`Adaptive`] run or [`DormandPrince5`]. All of them are an [`Integration`]. Time is
+//!   t₀ + k h, never a sum of steps.
 //! - A step allocates nothing, and neither does a failed one: the state stays as it was, and [`StepError`]
 //!   says which equation, when, and by how much.
 //! - Everything works on any [`Scalar`], Newton's method on any [`Real`]: `f64` and `f32`.

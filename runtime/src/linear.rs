@@ -38,8 +38,8 @@ where
         }
         let (mut rows, mut x) = (*self, *b);
         for ((row, weight), b) in rows.iter_mut().zip(weights(self)).zip(&mut x) {
-            row.iter_mut().for_each(|entry| *entry = *entry * weight);
-            *b = *b * weight;
+            row.iter_mut().for_each(|entry| *entry *= weight);
+            *b *= weight;
         }
         // nalgebra stores columns first, so our rows are its columns.
         let matrix = SMatrix::from_data(ArrayStorage(rows)).transpose();

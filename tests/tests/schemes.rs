@@ -96,58 +96,6 @@ fn outputs_between_steps_are_as_exact() {
     }
 }
 
-/// Below, the rounding of some hundred steps shows.
-const LEAST_ERROR: f64 = 2e-12;
-
-/// Errors are proportional to hᵖ until rounding is near.
-#[test]
-fn orders_are_what_theory_says() {
-    let model = residua_models::find("spatial_reduced").unwrap().catalogued;
-    let mut points = Points::new(24);
-    let case = Case::varied(model, &mut points).kicked(&mut points);
-    let flow = model.flow.unwrap();
-    let truth = end(&case, flow, Scheme::Gauss { stages: 8 }, 1.0 / 400.0, 400);
-    for scheme in Scheme::names().filter_map(Scheme::named) {
-        if matches!(scheme, Scheme::Adaptive { .. }) {
-            continue;
-        }
-        let error = |steps: u64| {
-            let found = end(&case, flow, scheme, 1.0 / steps as f64, steps);
-            distance(&found, &truth)
-        };
-        // Between errors that are large and such that are rounding.
-        let mut errors = Vec::new();
-        // Longer steps of low order have no solution.
-        let mut steps = match scheme.order() {
-            0..=8 => 20,
-            9..=12 => 10,
-            _ => 5,
-        };
-        while steps <= 4000 {
-            let off = error(steps);
-            if off < LEAST_ERROR {
-                break;
-            }
-            if off < 1e-4 {
-                errors.push((steps as f64, off));
-            }
-            steps += u64::max(1, steps / 5);
-        }
-        let slope =
-            |pair: &[(f64, f64)]| (pair[0].1 / pair[3].1).ln() / (pair[3].0 / pair[0].0).ln();
-        let orders: Vec<f64> = errors.windows(4).map(slope).collect();
-        let last = orders.last().copied().unwrap_or(f64::NAN);
-        // Of orders 14 and 16 rounding is reached before the error is hᵖ alone: the slope is still on its way.
-        let off = if scheme.order() > 12 { 1.0 } else { 0.25 };
-        let expected = scheme.order() as f64;
-        assert!(
-            (last - expected).abs() <= off,
-            "{}: {orders:?}",
-            scheme.name()
-        );
-    }
-}
-
 /// A spring a million times as stiff as its mass, in steps ten times longer than its period allows sweeps: Newton's method
 /// takes them, and the slow swing is that of a rod.
 #[test]

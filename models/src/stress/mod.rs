@@ -106,10 +106,15 @@ fn wrong(step: u64, found: &[f64], exact: &Exact) -> Option<Wrong> {
     for (component, (&found, next)) in found.iter().zip(&exact.next).enumerate() {
         let bound = exact.bound[component];
         let off = off(found, *next);
-        // Written so that a NaN is beyond it.
-        let is_within = off <= bound;
-        let ratio = off / bound;
-        if !is_within && worst.as_ref().is_none_or(|(most, _)| !(ratio <= *most)) {
+        // What is not a number is beyond every bound.
+        let ratio = if off <= bound {
+            continue;
+        } else if off.is_nan() {
+            f64::INFINITY
+        } else {
+            off / bound
+        };
+        if worst.as_ref().is_none_or(|(most, _)| ratio > *most) {
             let expected = next.to_f64();
             let wrong = Wrong {
                 step,

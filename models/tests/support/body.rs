@@ -3,7 +3,6 @@
 use residua::Model as _;
 use residua::Scalar;
 use residua_models::dsl;
-use residua_models::exact::Double;
 
 /// An asymmetric body off its axis.
 pub fn asymmetric<T: Scalar>() -> (
@@ -21,10 +20,4 @@ pub fn asymmetric<T: Scalar>() -> (
     let mut start = dsl::spatial_reduced::Model::start(&parameters);
     start.omega = [n(0.5), n(-0.5), n(0.4)];
     (parameters, start)
-}
-
-/// The largest difference.
-pub fn distance(a: &[Double], b: &[Double]) -> f64 {
-    let pairs = a.iter().zip(b);
-    pairs.fold(0.0, |most, (a, b)| most.max((*a - *b).abs().to_f64()))
 }

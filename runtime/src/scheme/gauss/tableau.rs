@@ -25,35 +25,43 @@ pub(crate) struct Tableau<const S: usize> {
     pub(crate) legendre: [[Extended; S]; S],
 }
 
-/// Newton's corrections of a node. From outside all zeros each of them comes closer; twelve digits more or fewer in
-/// the start do not matter, and forty suffice for any s ≤ 16.
-const CORRECTIONS: usize = 60;
+/// The most stages.
+const MOST: usize = 16;
+
+/// Newton's corrections of a node in double precision. From outside all zeros that are left each of them comes closer by a
+/// factor of 1 − 1/s at least; more cost build time only.
+const ROUGH_CORRECTIONS: usize = 60;
+
+/// Those in double-double numbers, where each doubles the digits: 15 become 30, and once more for what the first has lost.
+const CORRECTIONS: usize = 2;
 
 impl<const S: usize> Tableau<S> {
     /// The coefficients, computed.
     pub(crate) const NEW: Self = Self::new();
 
     const fn new() -> Self {
-        assert!(S >= 1 && S <= 16, "1 to 16 stages");
+        assert!(S >= 1 && S <= MOST, "1 to 16 stages");
         let c = nodes::<S>();
+        let mut p = [[Extended::ZERO; MOST + 1]; S];
         let mut b = [Extended::ZERO; S];
         let mut legendre = [[Extended::ZERO; S]; S];
         let mut mu = [[Extended::ZERO; S]; S];
         let mut j = 0;
         while j < S {
+            p[j] = polynomials(S, c[j]).0;
             // 1/b = Σ (2k + 1) Pₖ(c)², as ∫ℓⱼ² = bⱼ.
             let mut k = 0;
             let mut sum = Extended::ZERO;
             while k < S {
-                let (p, _) = polynomial(k, c[j]);
-                sum = sum.add(p.mul(p).mul(Extended::new((2 * k + 1) as f64)));
+                let square = p[j][k].mul(p[j][k]);
+                sum = sum.add(square.mul(Extended::new((2 * k + 1) as f64)));
                 k += 1;
             }
             b[j] = Extended::ONE.div(sum);
             k = 0;
             while k < S {
-                let (p, _) = polynomial(k, c[j]);
-                legendre[k][j] = p.mul(b[j]).mul(Extended::new((2 * k + 1) as f64));
+                let weighted = p[j][k].mul(b[j]);
+                legendre[k][j] = weighted.mul(Extended::new((2 * k + 1) as f64));
                 k += 1;
             }
             j += 1;
@@ -62,17 +70,11 @@ impl<const S: usize> Tableau<S> {
         while i < S {
             j = 0;
             while j < S {
-                let mut sum = Extended::ZERO;
-                let mut k = 0;
+                // P₁ − P₋₁, and Pₖ₊₁ − Pₖ₋₁.
+                let mut sum = p[i][1].add(Extended::ONE);
+                let mut k = 1;
                 while k < S {
-                    let (above, _) = polynomial(k + 1, c[i]);
-                    let below = if k == 0 {
-                        Extended::new(-1.0)
-                    } else {
-                        polynomial(k - 1, c[i]).0
-                    };
-                    let (p, _) = polynomial(k, c[j]);
-                    sum = sum.add(above.sub(below).mul(p));
+                    sum = sum.add(p[i][k + 1].sub(p[i][k - 1]).mul(p[j][k]));
                     k += 1;
                 }
                 mu[i][j] = sum.mul(Extended::new(0.5));
@@ -84,43 +86,68 @@ impl<const S: usize> Tableau<S> {
     }
 }
 
-/// The zeros of P_S: Newton's method from 1 with the zeros found so far divided out (Maehly 1954).
+/// The zeros of P_S: Newton's method from 1 with the zeros found so far divided out (Maehly 1954), and a last few corrections
+/// without.
 const fn nodes<const S: usize>() -> [Extended; S] {
+    let mut rough = [0.0; S];
     let mut c = [Extended::ZERO; S];
     let mut found = 0;
     while found < S {
-        let mut x = Extended::ONE;
+        let mut x = 1.0;
         let mut n = 0;
-        while n < CORRECTIONS {
-            let (p, slope) = polynomial(S, x);
-            let mut others = Extended::ZERO;
+        while n < ROUGH_CORRECTIONS {
+            let (p, slope) = rough_polynomial(S, x);
+            let mut others = 0.0;
             let mut i = 0;
-            // While far away, only; the last corrections are Newton's own.
-            while i < found && n + 6 < CORRECTIONS {
-                others = others.add(Extended::ONE.div(x.sub(c[S - 1 - i])));
+            while i < found {
+                others += 1.0 / (x - rough[i]);
                 i += 1;
             }
-            x = x.sub(p.div(slope.sub(p.mul(others))));
+            x -= p / (slope - p * others);
             n += 1;
         }
-        c[S - 1 - found] = x;
+        rough[found] = x;
+        let mut exact = Extended::new(x);
+        n = 0;
+        while n < CORRECTIONS {
+            let (p, slope) = polynomials(S, exact);
+            exact = exact.sub(p[S].div(slope));
+            n += 1;
+        }
+        c[S - 1 - found] = exact;
         found += 1;
     }
     c
 }
 
-/// Pₙ(x) and its derivative, by (k + 1) Pₖ₊₁ = (2k + 1) y Pₖ − k Pₖ₋₁ in y = 2x − 1.
-const fn polynomial(n: usize, x: Extended) -> (Extended, Extended) {
+/// P₀(x), …, Pₙ(x) and the derivative of the last, by (k + 1) Pₖ₊₁ = (2k + 1) y Pₖ − k Pₖ₋₁ and P'ₖ₊₁ = P'ₖ₋₁ + 2 (2k + 1) Pₖ in
+/// y = 2x − 1.
+const fn polynomials(n: usize, x: Extended) -> ([Extended; MOST + 1], Extended) {
     let y = x.add(x).sub(Extended::ONE);
-    let (mut below, mut p) = (Extended::ZERO, Extended::ONE);
-    let (mut slope_below, mut slope) = (Extended::ZERO, Extended::ZERO);
-    let mut k = 0;
+    let mut p = [Extended::ONE; MOST + 1];
+    p[1] = y;
+    let (mut slope_below, mut slope) = (Extended::ZERO, Extended::new(2.0));
+    let mut k = 1;
     while k < n {
         let (a, b) = (Extended::new((2 * k + 1) as f64), Extended::new(k as f64));
         let d = Extended::new((k + 1) as f64);
-        let next = y.mul(p).mul(a).sub(below.mul(b)).div(d);
-        let inner = y.mul(slope).add(p.add(p));
-        let slope_next = inner.mul(a).sub(slope_below.mul(b)).div(d);
+        p[k + 1] = y.mul(p[k]).mul(a).sub(p[k - 1].mul(b)).div(d);
+        let slope_next = slope_below.add(p[k].add(p[k]).mul(a));
+        (slope_below, slope) = (slope, slope_next);
+        k += 1;
+    }
+    (p, slope)
+}
+
+/// Pₙ(x) and its derivative in double precision, n ≥ 1.
+const fn rough_polynomial(n: usize, x: f64) -> (f64, f64) {
+    let y = 2.0 * x - 1.0;
+    let (mut below, mut p, mut slope_below, mut slope) = (1.0, y, 0.0, 2.0);
+    let mut k = 1;
+    while k < n {
+        let (a, b) = ((2 * k + 1) as f64, k as f64);
+        let next = (a * y * p - b * below) / (b + 1.0);
+        let slope_next = slope_below + 2.0 * a * p;
         (below, p) = (p, next);
         (slope_below, slope) = (slope, slope_next);
         k += 1;

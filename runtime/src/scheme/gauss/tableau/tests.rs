@@ -1,7 +1,7 @@
 //! Nodes and weights against digits computed elsewhere, and what any tableau of Gauss fulfils.
 
 use super::Tableau;
-use crate::scheme::gauss::extended::Extended;
+use crate::scheme::extended::Extended;
 
 /// A decimal number to the last bit of a double-double, near enough: 10⁻ᵏ divided out digit by digit.
 fn decimal(text: &str) -> Extended {
