@@ -33,47 +33,26 @@ fn rows(problem: &Problem, ladders: &Ladders) -> Vec<Row> {
     measure(problem, &contestants, &BRIEF, &mut |_, _| {})
 }
 
-fn row(scheme: &str, by: &str, trajectory: f64, seconds: f64) -> Row {
-    Row {
-        scene: "any".to_owned(),
-        model: "any".to_owned(),
-        scheme: scheme.to_owned(),
-        by: by.to_owned(),
-        step: Some(0.1),
-        tolerance: None,
-        seconds,
-        runs: 1,
-        steps: 1,
-        evaluations: 1,
-        trajectory,
-        phase: f64::NAN,
-        energy: f64::NAN,
-        constraint: f64::NAN,
-        momentum: f64::NAN,
-        failure: String::new(),
-    }
-}
-
 /// The study finds that motion without symmetry; errors between these are neither rounding nor so large that the
 /// leading term is hidden.
+///
+/// In double precision the highest orders cross that range in two halvings. What they are to ±0.25 is measured in
+/// double-double numbers by `orders` and `taylor`; here, that each lane of the diagram is the scheme that its name says.
 #[test]
 fn errors_fall_with_the_order_of_the_scheme() {
-    const SEEN: std::ops::Range<f64> = 1e-11..1e-3;
-    /// Those of higher order pass from large errors to rounding within two halvings.
-    const HIGH: usize = 6;
+    const SEEN: std::ops::Range<f64> = 1e-12..1e-3;
     let problem = problem("planar-large", 5.0, &["planar_angle"]);
     let rows = rows(&problem, &LADDERS);
-    let mut judged = Vec::new();
+    let (mut judged, mut all) = (Vec::new(), Vec::new());
     for contestant in contestants(&problem, &LADDERS) {
         let Some(order) = contestant.order else {
             continue;
         };
-        if order > HIGH {
-            continue;
-        }
+        let scheme = &contestant.scheme;
+        all.push(scheme.clone());
         let own = rows
             .iter()
-            .filter(|row| row.by == OURS && row.scheme == contestant.scheme);
+            .filter(|row| row.by == OURS && row.scheme == *scheme);
         let own: Vec<f64> = own
             .map(|row| row.trajectory)
             .filter(|e| SEEN.contains(e))
@@ -82,29 +61,19 @@ fn errors_fall_with_the_order_of_the_scheme() {
             continue;
         };
         let slope = (coarse / fine).log2();
-        // The leading term alone has its order; one that passes zero on the way falls faster for a while.
+        println!("{scheme}: {slope:.2} of {order}");
+        // The leading term alone has its order; one that passes zero on the way falls faster for a while, and the higher
+        // the order, the nearer the steps are to where the series ends.
         let order = order as f64;
-        let theory = order - 0.5..order + 1.0;
-        let scheme = &contestant.scheme;
+        let theory = order - 0.5 - order / 8.0..order + 1.0 + order / 4.0;
         assert!(
             theory.contains(&slope),
             "{scheme}: {slope} of {order}, {own:?}"
         );
-        judged.push(contestant.scheme);
+        judged.push(scheme.clone());
     }
-    for scheme in [
-        "next",
-        "increment",
-        "rk4",
-        "midpoint",
-        "gauss2",
-        "composition4",
-    ] {
-        assert!(
-            judged.iter().any(|judged| judged == scheme),
-            "{scheme} of {judged:?}"
-        );
-    }
+    let left: Vec<&String> = all.iter().filter(|all| !judged.contains(all)).collect();
+    assert!(left.is_empty(), "not judged: {left:?}");
 }
 
 #[test]
@@ -159,42 +128,6 @@ fn exact_ends_are_the_same_by_series_and_by_extrapolation() {
         // Both are rounded once; the sizes are below 1.
         assert!((a - b).abs() <= 2e-16, "{a} and {b}");
     }
-}
-
-#[test]
-fn what_fails_is_nan_and_never_the_best() {
-    let nan = f64::NAN;
-    let all = [
-        row("failed", OURS, nan, nan),
-        row("fast and wrong", OURS, nan, 1e-9),
-        row("exact without a time", OURS, 1e-12, nan),
-        row("good", OURS, 1e-10, 1e-3),
-        row("rival", "other", 1e-10, 1e-2),
-    ];
-    for verdict in verdicts(&all, Kind::Trajectory, &[1e-9]) {
-        assert_eq!(verdict.ours.unwrap().scheme, "good");
-        assert_eq!(verdict.rival.unwrap().scheme, "rival");
-    }
-    let mut file = Vec::new();
-    write(&all, &mut file).unwrap();
-    let again = read(file.as_slice()).unwrap();
-    assert_eq!(again.len(), all.len());
-    assert!(again[0].trajectory.is_nan() && again[0].seconds.is_nan());
-    assert_eq!((again[3].trajectory, again[3].seconds), (1e-10, 1e-3));
-}
-
-#[test]
-fn a_lucky_run_does_not_count() {
-    // The error of the coarse step passes zero.
-    let all = [
-        row("lucky", OURS, 1e-12, 1e-6),
-        row("lucky", OURS, 1e-4, 2e-6),
-        row("lucky", OURS, 1e-10, 4e-6),
-    ];
-    let [verdict] = verdicts(&all, Kind::Trajectory, &[1e-9])[..] else {
-        panic!()
-    };
-    assert_eq!(verdict.ours.unwrap().seconds, 4e-6);
 }
 
 #[test]
@@ -289,11 +222,6 @@ fn pictures_have_a_panel_per_kind_of_error_that_there_is() {
 }
 
 #[test]
-fn levels_are_given_from_coarse_to_fine() {
-    assert!(LEVELS.is_sorted_by(|a, b| a > b));
-}
-
-#[test]
 fn bad_input_is_refused() {
     let refused = [
         (
@@ -346,37 +274,5 @@ fn bad_input_is_refused() {
     ];
     for (line, parts) in refused {
         assert_refused(&residua(&format!("bench precision {line}")), 2, parts);
-    }
-}
-
-/// With `cargo test --release -p residua-models --features rivals --test precision`.
-#[cfg(feature = "rivals")]
-#[test]
-fn rivals_end_where_the_motion_ends() {
-    use residua_models::rivals::Rival;
-    for (scene, until) in [
-        ("planar-paper", 5.0),
-        ("spatial-asymmetric", 1.0),
-        ("lattice", 1.0),
-    ] {
-        let problem = problem(scene, until, &[]);
-        let ladders = Ladders {
-            steps: (1.0, 1.0),
-            tolerances: (1e-9, 1e-9),
-        };
-        let rows = rows(&problem, &ladders);
-        let theirs = rows.iter().filter(|row| row.by != OURS);
-        assert_eq!(
-            theirs.clone().count(),
-            Rival::ALL.len() * problem.formulations.len()
-        );
-        for row in theirs {
-            // Local errors of 1e-9 add up over the steps; radau5 takes its tolerance to the power of 2/3 (Hairer and
-            // Wanner, *Solving Ordinary Differential Equations II*, IV.8), and backward differences are of low order.
-            let is_implicit = ["radau5", "bdf"].contains(&row.scheme.as_str());
-            let most = if is_implicit { 1e-3 } else { 1e-5 };
-            assert!(row.trajectory <= most, "{row:?}");
-            assert!(row.steps > 1 && row.evaluations > row.steps, "{row:?}");
-        }
     }
 }

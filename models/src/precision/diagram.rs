@@ -4,6 +4,7 @@ use super::problem::Problem;
 use super::row::Kind;
 use super::row::Row;
 use super::verdict::LEVELS;
+use super::verdict::Verdict;
 use super::verdict::verdicts;
 use crate::plot::LogCurve;
 use crate::plot::LogPanel;
@@ -23,7 +24,7 @@ struct Lane<'r> {
 }
 
 /// The diagram of some rows. Named are the lanes that are fastest at one of the errors of [`LEVELS`], ours and of
-/// each rival package, and the first lane of all; the others are drawn pale.
+/// the rival packages, and the first lane of all; the others are drawn pale.
 pub fn picture(problem: &Problem, rows: &[Row]) -> Logarithmic {
     let lanes = lanes(rows);
     let has = |kind: Kind| rows.iter().any(|row| row.error(kind).is_finite());
@@ -57,29 +58,15 @@ fn lanes(rows: &[Row]) -> Vec<Lane<'_>> {
         }
     }
     let mut best: Vec<&Row> = Vec::new();
-    let mut packages: Vec<&str> = rows.iter().map(|row| row.by.as_str()).collect();
-    packages.sort_unstable();
-    packages.dedup();
-    for kind in [Kind::Trajectory, Kind::Energy] {
-        for verdict in verdicts(rows, kind, &LEVELS) {
-            best.extend(verdict.ours);
-            best.extend(verdict.rival);
-        }
-    }
-    for package in packages {
-        let own: Vec<Row> = rows
-            .iter()
-            .filter(|row| row.by == package)
-            .cloned()
-            .collect();
-        let fastest = verdicts(&own, Kind::Trajectory, &LEVELS[1..3]);
-        for row in fastest
-            .iter()
-            .filter_map(|verdict| verdict.ours.or(verdict.rival))
-        {
-            best.extend(rows.iter().find(|other| other.is_of_lane(row)));
-        }
-    }
+    let all: Vec<Verdict<'_>> = [Kind::Trajectory, Kind::Energy]
+        .into_iter()
+        .flat_map(|kind| verdicts(rows, kind, &LEVELS))
+        .collect();
+    best.extend(all.iter().filter_map(|verdict| verdict.ours));
+    let rivals = all.iter().map(|verdict| &verdict.rivals);
+    best.extend(rivals.clone().filter_map(|rivals| rivals.first()));
+    best.extend(all.iter().filter_map(|verdict| verdict.fixed));
+    best.extend(rivals.flatten());
     best.extend(rows.first());
     let mut named = 0;
     for row in best {

@@ -12,6 +12,7 @@
 
 mod contest;
 mod diagram;
+mod given;
 mod integrator;
 mod measure;
 mod meter;
@@ -27,11 +28,11 @@ pub use contest::Visit;
 pub use contest::contestants;
 pub use diagram::name;
 pub use diagram::picture;
+pub use given::Given;
 pub use measure::Budget;
 pub use measure::measure;
 pub use meter::Errors;
 pub use problem::Formulation;
-pub use problem::Given;
 pub use problem::Problem;
 pub use problem::Unsolvable;
 pub use row::Kind;

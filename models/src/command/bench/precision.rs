@@ -1,23 +1,20 @@
 //! `residua bench precision`: time against error.
 
+mod keep;
+mod show;
+
 use crate::assignment::{Assignment, parse};
 use crate::failure::Failure;
-use crate::notation::{number, power_of_ten};
-use crate::plot::logarithmic_svg;
 use crate::simulate::plan::assigned;
-use crate::table::Table;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use residua_models::find;
 use residua_models::precision::{
-    Budget, Contestant, Given, Kind, LEVELS, Ladders, Problem, Row, Unsolvable, Verdict,
-    contestants, measure, name, picture, verdicts, write,
+    Budget, Contestant, Given, Ladders, Problem, Row, Unsolvable, contestants, measure,
 };
 use residua_models::study::Case;
-use serde_json::{Map, Value, json};
-use std::fs::{self, File};
-use std::io::BufWriter;
-use std::path::{Path, PathBuf};
+use std::fs;
+use std::path::PathBuf;
 
 /// Coarsest and finest step where nobody says otherwise, as parts of the whole time.
 const STEPS: (f64, f64) = (1.0 / 16.0, 1.0 / (1 << 20) as f64);
@@ -104,9 +101,9 @@ impl Precision {
         for (scene, given) in given {
             let problem = Problem::new(scene, given, &self.models).map_err(in_words)?;
             let rows = self.measure(&problem)?;
-            self.show(&problem, &rows);
+            show::show(&problem, &rows);
             if let Some(folder) = &self.out {
-                keep(&problem, &rows, folder)?;
+                keep::keep(&problem, &rows, folder)?;
             }
         }
         Ok(())
@@ -212,169 +209,6 @@ impl Precision {
             .with_style(style)
             .with_prefix(scene.to_owned())
     }
-
-    fn show(&self, problem: &Problem, rows: &[Row]) {
-        let Problem {
-            name,
-            until,
-            exact,
-            source,
-            ..
-        } = problem;
-        let failed = rows.iter().filter(|row| !row.failure.is_empty()).count();
-        let models: Vec<&str> = problem.formulations.iter().map(|of| of.name()).collect();
-        println!(
-            "{name}, until {} s: {} runs, {failed} failed",
-            number(*until),
-            rows.len()
-        );
-        println!("formulations: {}", models.join(", "));
-        println!(
-            "reference: {source}, two resolutions {:.0e} apart\n",
-            exact.error
-        );
-        let mut table = Table::new(&[
-            "error of the trajectory",
-            "use",
-            "with",
-            "time",
-            "best rival",
-            "with",
-            "time",
-            "times faster",
-        ]);
-        let list = verdicts(rows, Kind::Trajectory, &LEVELS);
-        for verdict in &list {
-            table.row(cells(verdict));
-        }
-        println!("{table}");
-        for verdict in &list {
-            println!("{}", sentence(verdict));
-        }
-        for kind in [Kind::Phase, Kind::Energy, Kind::Constraint, Kind::Momentum] {
-            for verdict in verdicts(rows, kind, &LEVELS[2..3]) {
-                if let Some(row) = verdict.ours {
-                    let (level, title) = (level(verdict.level), kind.title());
-                    println!("for {level} as {title} use {}", used(row));
-                }
-            }
-        }
-        println!();
-    }
-}
-
-fn cells(verdict: &Verdict<'_>) -> [String; 8] {
-    let none = || ["–", "", ""].map(str::to_owned);
-    let of = |row: &Row| [name(row), rung(row), time(row.seconds)];
-    let [ours, with, takes] = verdict.ours.map_or_else(none, of);
-    let [rival, its, its_time] = verdict.rival.map_or_else(none, of);
-    let ratio = verdict
-        .ours
-        .zip(verdict.rival)
-        .map(|(ours, rival)| rival.seconds / ours.seconds);
-    let ratio = ratio.map_or_else(String::new, |ratio| format!("{ratio:.2}"));
-    [
-        level(verdict.level),
-        ours,
-        with,
-        takes,
-        rival,
-        its,
-        its_time,
-        ratio,
-    ]
-}
-
-/// for 1e-9 on this scene use gauss8, 155 µs
-fn sentence(verdict: &Verdict<'_>) -> String {
-    let level = level(verdict.level);
-    match (verdict.ours, verdict.rival) {
-        (Some(row), _) => format!("for {level} on this scene use {}", used(row)),
-        (None, Some(rival)) => format!(
-            "for {level} on this scene only rivals will do: {}",
-            used(rival)
-        ),
-        (None, None) => format!("for {level} on this scene there is nothing"),
-    }
-}
-
-fn used(row: &Row) -> String {
-    format!("{}, {}, {}", name(row), rung(row), time(row.seconds))
-}
-
-/// 10⁻⁹
-fn level(level: f64) -> String {
-    power_of_ten(level.log10().round() as i32)
-}
-
-fn rung(row: &Row) -> String {
-    match (row.step, row.tolerance) {
-        (Some(step), _) => format!("h = {step:.3e}"),
-        (_, Some(tolerance)) => format!("tolerance {tolerance:e}"),
-        (None, None) => String::new(),
-    }
-}
-
-fn time(seconds: f64) -> String {
-    match seconds {
-        s if s < 1e-3 => format!("{:.1} µs", s * 1e6),
-        s if s < 1.0 => format!("{:.2} ms", s * 1e3),
-        s => format!("{s:.2} s"),
-    }
-}
-
-/// Writes what was measured.
-fn keep(problem: &Problem, rows: &[Row], folder: &Path) -> Result<(), Failure> {
-    let path = |ending: &str| folder.join(format!("{}.{ending}", problem.name));
-    let csv = path("csv");
-    let file = File::create(&csv).map_err(|error| Failure::file("write", &csv, &error))?;
-    let written = write(rows, BufWriter::new(file));
-    written.map_err(|error| Failure::Run(format!("cannot write {}: {error}", csv.display())))?;
-    let svg = logarithmic_svg(&picture(problem, rows)).map_err(Failure::Run)?;
-    let json = format!("{:#}\n", described(problem));
-    for (path, text) in [(path("svg"), svg), (path("json"), json)] {
-        fs::write(&path, text).map_err(|error| Failure::file("write", &path, &error))?;
-    }
-    Ok(())
-}
-
-/// The motion, for other programs that want to take part.
-fn described(problem: &Problem) -> Value {
-    let case = &problem.reference;
-    let description = case.model.description;
-    let ascii = |name: &str| {
-        let scene = description.scene.and_then(|scene| find(scene.model).ok());
-        let whole = scene.map_or(case.model, |entry| entry.catalogued);
-        let mut parameters = whole.description.parameters.iter();
-        let found = parameters.find(|parameter| parameter.name == name);
-        found.map_or(name, |parameter| parameter.ascii).to_owned()
-    };
-    let record = |variables: &'static [residua::description::Variable], values: &[f64]| {
-        let mut rest = values;
-        let mut record = Map::new();
-        for variable in variables {
-            let (own, others) = rest.split_at(variable.rows * variable.cols);
-            rest = others;
-            record.insert(variable.ascii.to_owned(), json!(own));
-        }
-        record
-    };
-    // What a scene folds in is a parameter to others.
-    let mut parameters = record(description.parameters, &case.parameters);
-    for fixed in description.scene.iter().flat_map(|scene| scene.fixed) {
-        parameters.insert(ascii(fixed.name), json!(fixed.values));
-    }
-    json!({
-        "scene": problem.name,
-        "caption": problem.caption,
-        "until": problem.until,
-        "model": description.name,
-        "parameters": parameters,
-        "start": record(description.states, &case.start),
-        "end": record(description.states, &problem.exact.state),
-        "scales": record(description.states, &problem.scales),
-        "uncertainty": problem.exact.error,
-    })
 }
 
 fn in_words(unsolvable: Unsolvable) -> Failure {
