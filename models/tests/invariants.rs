@@ -76,8 +76,7 @@ fn worst<S: Method<f64>>(
 }
 
 /// The invariants of three models, all of them quadratic: energy and |Γ|² in the plane, and in space with the vertical
-/// momentum; RᵀR = I, so that R stays on the group. The sizes are those of the largest terms, mgl or mg|ρ| and kinetic energy,
-/// with a digit for how many there are.
+/// momentum; RᵀR = I, so that R stays on the group. The sizes are those of the largest terms, m g l = 11.8 and m g |ρ| = 68.7.
 fn quadratic<P, S, G>(name: &str, steps: u32)
 where
     P: Method<f64, Model = planar_reduced::Model>,
@@ -85,9 +84,9 @@ where
     G: Method<f64, Model = spatial_group::Model>,
 {
     let all = [
-        worst::<P>(by_file::<planar_reduced::Model>(), 30.0, steps),
-        worst::<S>(asymmetric(), 150.0, steps),
-        worst::<G>(by_file::<spatial_group::Model>(), 150.0, steps),
+        worst::<P>(by_file::<planar_reduced::Model>(), 12.0, steps),
+        worst::<S>(asymmetric(), 69.0, steps),
+        worst::<G>(by_file::<spatial_group::Model>(), 69.0, steps),
     ];
     println!("{name}: {all:?} of what rounding may take");
     assert!(all.iter().all(|worst| *worst <= 1.0), "{name}: {all:?}");
@@ -151,6 +150,13 @@ struct Drift {
 /// Parts of a run that are compared.
 const PARTS: usize = 10;
 
+/// Where an output is in a model whose outputs are all scalars.
+fn scalar_output<M: Model<f64>>(name: &str) -> usize {
+    let mut outputs = M::DESCRIPTION.outputs.iter();
+    let found = outputs.position(|o| o.variable.name == name);
+    found.expect("an output of that name")
+}
+
 /// The output `index` of a run.
 fn drift<S: Method<f64>>(index: usize, steps: u32) -> Drift {
     let (parameters, start) = by_file::<S::Model>();
@@ -183,11 +189,7 @@ const ENDS: f64 = 2.0 / 400.0;
 /// Lubich and Wanner, *Geometric Numerical Integration*, IX.8.1, for symplectic schemes). That of Runge–Kutta has.
 fn energy_swings(steps: u32) {
     use planar_angle::Model as M;
-    let index = M::DESCRIPTION
-        .outputs
-        .iter()
-        .position(|o| o.variable.name == "energy")
-        .expect("an energy");
+    let index = scalar_output::<M>("energy");
     let all = [
         ("midpoint", drift::<Gauss<M, 1>>(index, steps)),
         ("gauss2", drift::<Gauss<M, 2>>(index, steps)),
@@ -198,8 +200,8 @@ fn energy_swings(steps: u32) {
     let explicit = drift::<Explicit<M, f64>>(index, steps);
     for (name, drift) in &all {
         println!("{name}: {drift:?}");
-        // Far above rounding, of some 1e-13 J: it is the scheme that is looked at.
-        assert!(drift.swing > 1e-10, "{name}: {drift:?}");
+        // A hundred times the rounding of the run and more: it is the scheme that is looked at.
+        assert!(drift.swing > 1e-11, "{name}: {drift:?}");
         assert!(drift.shift < ENDS, "{name}: {drift:?}");
         assert!(drift.growth < 1.01, "{name}: {drift:?}");
     }
@@ -222,11 +224,7 @@ fn energy_has_no_trend_over_a_million_steps() {
 #[test]
 fn the_trapezoidal_rule_loses_nothing_for_good() {
     use planar_reduced::Model as M;
-    let index = M::DESCRIPTION
-        .outputs
-        .iter()
-        .position(|o| o.variable.name == "norm_squared")
-        .expect("a square");
+    let index = scalar_output::<M>("norm_squared");
     let drift = drift::<Ends<M, f64>>(index, STEPS);
     // Some h²ω²/8.
     assert!(drift.swing > 1e-6 && drift.swing < 1e-2, "{drift:?}");

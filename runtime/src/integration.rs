@@ -74,40 +74,8 @@ impl<M: Method<T>, T: Real> Integration<M, T> {
         start: <M::Model as Model<T>>::State,
         h: T,
     ) -> Result<Self, InvalidRun> {
-        if !h.is_finite() || h == T::constant(0.0) {
-            return Err(InvalidRun::StepSize(h.to_f64()));
-        }
-        if let Some((position, value)) = first_not_finite(parameters.to_array().as_ref()) {
-            let variables = M::Model::DESCRIPTION.parameters;
-            let component = Component {
-                variables,
-                position,
-            };
-            return Err(InvalidRun::Parameter(component, value));
-        }
         let state = start.to_array();
-        if let Some((position, value)) = first_not_finite(state.as_ref()) {
-            let variables = M::Model::DESCRIPTION.states;
-            let component = Component {
-                variables,
-                position,
-            };
-            return Err(InvalidRun::StartValue(component, value));
-        }
-        for zero in M::Model::DESCRIPTION.scene.map_or(&[][..], |s| s.zeros) {
-            let value = state.as_ref()[zero.component].to_f64();
-            if value != 0.0 {
-                let component = Component {
-                    variables: M::Model::DESCRIPTION.states,
-                    position: zero.component,
-                };
-                return Err(InvalidRun::NotZero {
-                    component,
-                    value,
-                    reason: zero.reason,
-                });
-            }
-        }
+        validate::<M::Model, T>(&parameters, &state, h)?;
         Ok(Self {
             method: M::new(&parameters, h),
             parameters,
@@ -222,6 +190,49 @@ impl<M: Method<T>, T: Real> Integration<M, T> {
             solver: M::solver(),
         }
     }
+}
+
+/// Refuses what [`Integration::new`] does: compiled once per model, whatever advances it.
+#[inline(never)]
+fn validate<M: Model<T>, T: Real>(
+    parameters: &M::Parameters,
+    state: &FlatState<M, T>,
+    h: T,
+) -> Result<(), InvalidRun> {
+    if !h.is_finite() || h == T::constant(0.0) {
+        return Err(InvalidRun::StepSize(h.to_f64()));
+    }
+    if let Some((position, value)) = first_not_finite(parameters.to_array().as_ref()) {
+        let variables = M::DESCRIPTION.parameters;
+        let component = Component {
+            variables,
+            position,
+        };
+        return Err(InvalidRun::Parameter(component, value));
+    }
+    if let Some((position, value)) = first_not_finite(state.as_ref()) {
+        let variables = M::DESCRIPTION.states;
+        let component = Component {
+            variables,
+            position,
+        };
+        return Err(InvalidRun::StartValue(component, value));
+    }
+    for zero in M::DESCRIPTION.scene.map_or(&[][..], |s| s.zeros) {
+        let value = state.as_ref()[zero.component].to_f64();
+        if value != 0.0 {
+            let component = Component {
+                variables: M::DESCRIPTION.states,
+                position: zero.component,
+            };
+            return Err(InvalidRun::NotZero {
+                component,
+                value,
+                reason: zero.reason,
+            });
+        }
+    }
+    Ok(())
 }
 
 #[inline]

@@ -2,18 +2,19 @@
 
 use super::simulate::Observer;
 use super::simulate::Run;
+use crate::error::InvalidRun;
 use crate::error::RunError;
 use crate::integration::Integration;
 use crate::integration::Method;
+use crate::model::Model;
 use crate::report::Statistics;
-use crate::scheme::Adaptive;
 use crate::scheme::Collocated;
 use crate::scheme::Collocation;
 use crate::scheme::Composed;
-use crate::scheme::DormandPrince5;
+use crate::scheme::Controlled;
 use crate::scheme::Ends;
 use crate::scheme::Explicit;
-use crate::scheme::Gauss;
+use crate::scheme::Pair;
 use crate::scheme::Tolerance;
 use crate::scheme::VariableGauss;
 
@@ -150,55 +151,52 @@ impl Scheme {
         run: &Run,
         observer: &mut Observer,
     ) -> Result<Statistics, RunError> {
+        let records = run.records::<M>()?;
         match self {
-            Self::RungeKutta4 => by::<Explicit<M, f64>>(run, observer),
-            Self::Gauss { stages } => {
-                let (parameters, start) = run.records::<M>()?;
-                let integration = Gauss::<M, 8>::new(parameters, start, run.h)?.at(run.t0)?;
-                run.through(integration.with_stages(stages), observer)
-            }
-            Self::Trapezoidal => by::<Ends<M, f64>>(run, observer),
-            Self::Composition { order: 0..=4 } => {
-                by::<Composed<Collocation<M, 1, f64>, 5, f64>>(run, observer)
-            }
-            Self::Composition { order: 5 | 6 } => {
-                by::<Composed<Collocation<M, 1, f64>, 9, f64>>(run, observer)
-            }
-            Self::Composition { .. } => {
-                by::<Composed<Collocation<M, 1, f64>, 15, f64>>(run, observer)
-            }
-            Self::Adaptive { pair, tolerance } => pair.simulate::<M>(tolerance, run, observer),
-        }
-    }
-}
-
-impl Embedded {
-    fn simulate<M: Collocated<f64>>(
-        self,
-        tolerance: Tolerance,
-        run: &Run,
-        observer: &mut Observer,
-    ) -> Result<Statistics, RunError> {
-        match self {
-            Self::DormandPrince5 => {
-                let (parameters, start) = run.records::<M>()?;
-                let integration = DormandPrince5::<M>::new(parameters, start, run.h)?.at(run.t0)?;
-                run.through(integration.with_tolerance(tolerance), observer)
-            }
-            Self::Gauss { stages } => {
-                let (parameters, start) = run.records::<M>()?;
-                let integration =
-                    Adaptive::<VariableGauss<M, 8, f64>>::new(parameters, start, run.h)?
-                        .at(run.t0)?;
-                let integration = integration.with_stages(stages).with_tolerance(tolerance);
+            Self::RungeKutta4 => {
+                let integration = start::<Explicit<M, f64>>(records, run)?;
                 run.through(integration, observer)
             }
+            Self::Gauss { stages } => {
+                let integration = start::<Collocation<M, 8, f64>>(records, run)?;
+                run.through(integration.with_stages(stages), observer)
+            }
+            Self::Trapezoidal => {
+                let integration = start::<Ends<M, f64>>(records, run)?;
+                run.through(integration, observer)
+            }
+            Self::Composition { order } => {
+                type Composed15<M> = Composed<Collocation<M, 1, f64>, 15, f64>;
+                let integration = start::<Composed15<M>>(records, run)?;
+                run.through(integration.with_order(order), observer)
+            }
+            Self::Adaptive {
+                pair: Embedded::DormandPrince5,
+                tolerance,
+            } => {
+                let integration = start::<Controlled<Pair<M, f64>, f64>>(records, run)?;
+                run.through(integration.with_tolerance(tolerance), observer)
+            }
+            Self::Adaptive {
+                pair: Embedded::Gauss { stages },
+                tolerance,
+            } => {
+                type Method<M> = Controlled<VariableGauss<M, 8, f64>, f64>;
+                let integration = start::<Method<M>>(records, run)?;
+                let integration = integration.with_stages(stages);
+                run.through(integration.with_tolerance(tolerance), observer)
+            }
         }
     }
 }
 
-fn by<S: Method<f64>>(run: &Run, observer: &mut Observer) -> Result<Statistics, RunError> {
-    let (parameters, start) = run.records::<S::Model>()?;
-    let integration = Integration::<S, f64>::new(parameters, start, run.h)?.at(run.t0)?;
-    run.through(integration, observer)
+/// The run before its first step.
+fn start<S: Method<f64>>(
+    (parameters, start): (
+        <S::Model as Model<f64>>::Parameters,
+        <S::Model as Model<f64>>::State,
+    ),
+    run: &Run,
+) -> Result<Integration<S, f64>, InvalidRun> {
+    Integration::new(parameters, start, run.h)?.at(run.t0)
 }

@@ -5,6 +5,7 @@ use core::ops::ControlFlow;
 use super::model;
 use crate::error::InvalidRun;
 use crate::error::RunError;
+use crate::error::StepError;
 use crate::integration::Integration;
 use crate::integration::Method;
 use crate::model::Model;
@@ -65,27 +66,50 @@ impl Run<'_> {
         mut integration: Integration<M, f64>,
         observer: &mut Observer,
     ) -> Result<Statistics, RunError> {
-        let mut shown = observer(sample(&integration));
-        while shown.is_continue() && integration.steps() < self.steps {
-            let left = self.steps - integration.steps();
+        self.drive(&mut integration, observer)
+    }
+
+    /// The same, compiled once.
+    fn drive(
+        &self,
+        integration: &mut dyn Steps,
+        observer: &mut Observer,
+    ) -> Result<Statistics, RunError> {
+        let mut now = integration.sample();
+        let mut shown = observer(now);
+        while shown.is_continue() && now.step < self.steps {
+            let left = self.steps - now.step;
             let count = if self.every > 0 {
                 left.min(self.every)
             } else {
                 left
             };
             integration.advance(count)?;
-            shown = observer(sample(&integration));
+            now = integration.sample();
+            shown = observer(now);
         }
-        Ok(integration.statistics())
+        Ok(integration.sample().statistics)
     }
 }
 
-fn sample<M: Method<f64>>(integration: &Integration<M, f64>) -> Sample<'_> {
-    Sample {
-        step: integration.steps(),
-        t: integration.t(),
-        state: integration.state_array().as_ref(),
-        statistics: integration.statistics(),
+/// A run by whatever method.
+trait Steps {
+    fn advance(&mut self, count: u64) -> Result<(), StepError>;
+    fn sample(&self) -> Sample<'_>;
+}
+
+impl<M: Method<f64>> Steps for Integration<M, f64> {
+    fn advance(&mut self, count: u64) -> Result<(), StepError> {
+        Integration::advance(self, count)
+    }
+
+    fn sample(&self) -> Sample<'_> {
+        Sample {
+            step: self.steps(),
+            t: self.t(),
+            state: self.state_array().as_ref(),
+            statistics: self.statistics(),
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Symmetric compositions of symmetric steps.
 
-use core::array;
-
+use super::Collocated;
+use super::Collocation;
 use super::extended::Extended;
 use crate::description::Solver;
 use crate::error::Fault;
@@ -9,6 +9,7 @@ use crate::integration::FlatState;
 use crate::integration::Integration;
 use crate::integration::Method;
 use crate::model::Model;
+use crate::packed::Packed;
 use crate::report::History;
 use crate::report::Report;
 use crate::report::Statistics;
@@ -25,6 +26,8 @@ pub struct Composed<M, const S: usize, T> {
     steps: [M; S],
     /// When each of them starts, after the first.
     starts: [T; S],
+    /// How many of them are taken.
+    n: usize,
 }
 
 /// γ₁, …, γ₃ of 5 (Suzuki 1990): 1/(4 − ∛4) and −∛4/(4 − ∛4).
@@ -62,14 +65,39 @@ const fn digits(first: f64, second: f64) -> Extended {
     Extended::new(first).add(second).div(unit)
 }
 
-/// γ₁, …, γₛ.
-fn gammas<const S: usize>() -> [Extended; S] {
-    let half: &[Extended] = match S {
+/// γ₁, …, γₙ h of 5, 9 or 15 steps, and when they start.
+fn substeps<T: Real, const S: usize>(n: usize, h: T) -> ([T; S], [T; S]) {
+    let half: &[Extended] = match n {
         5 => &FOURTH,
         9 => &SIXTH,
         _ => &EIGHTH,
     };
-    array::from_fn(|i| half[usize::min(i, S - 1 - i)])
+    let (mut lengths, mut starts) = ([h; S], [h; S]);
+    let mut before = Extended::ZERO;
+    for i in 0..n {
+        let gamma = half[usize::min(i, n - 1 - i)];
+        (lengths[i], starts[i]) = (gamma.to::<T>() * h, before.to::<T>() * h);
+        before = before.add(gamma);
+    }
+    (lengths, starts)
+}
+
+impl<M: Collocated<T>, T: Packed> Composition<Collocation<M, 1, T>, 15, T> {
+    /// The same run with the order 4, 6 or 8: one compiled function for all.
+    pub(crate) fn with_order(mut self, order: usize) -> Self {
+        let n = match order {
+            0..=4 => 5,
+            5 | 6 => 9,
+            _ => 15,
+        };
+        let (lengths, starts) = substeps::<T, 15>(n, self.h());
+        let method = &mut self.method;
+        for (step, length) in method.steps.iter_mut().zip(lengths) {
+            step.h = length;
+        }
+        (method.starts, method.n) = (starts, n);
+        self
+    }
 }
 
 impl<M: Method<T>, T: Real, const S: usize> Method<T> for Composed<M, S, T> {
@@ -77,16 +105,11 @@ impl<M: Method<T>, T: Real, const S: usize> Method<T> for Composed<M, S, T> {
 
     fn new(parameters: &<Self::Model as Model<T>>::Parameters, h: T) -> Self {
         const { assert!(matches!(S, 5 | 9 | 15), "5, 9 or 15 steps") };
-        let gammas = gammas::<S>();
+        let (lengths, starts) = substeps::<T, S>(S, h);
         Self {
-            steps: gammas.map(|gamma| M::new(parameters, gamma.to::<T>() * h)),
-            starts: array::from_fn(|i| {
-                let before = gammas[..i].iter();
-                before
-                    .fold(Extended::ZERO, |sum, gamma| sum.add(*gamma))
-                    .to::<T>()
-                    * h
-            }),
+            steps: lengths.map(|length| M::new(parameters, length)),
+            starts,
+            n: S,
         }
     }
 
@@ -98,7 +121,7 @@ impl<M: Method<T>, T: Real, const S: usize> Method<T> for Composed<M, S, T> {
     ) -> Result<Report, Fault> {
         let (before, mut iterations) = (*state, 0);
         let mut report = Report::converged(0);
-        for (step, start) in self.steps.iter_mut().zip(self.starts) {
+        for (step, start) in self.steps[..self.n].iter_mut().zip(self.starts) {
             match step.advance(t + start, state, statistics) {
                 Ok(made) => report = made,
                 Err(fault) => {

@@ -22,8 +22,9 @@ use crate::scalar::Real;
 ///
 /// The step follows the error estimate by a PI controller, h ← h · 0.9 · (1/e)^(0.3/p) · (e₋₁/e)^(0.4/p) (Gustafsson 1991;
 /// Hairer and Wanner, *Solving Ordinary Differential Equations II*, IV.2; Söderlind 2003), a rejected one by
-/// 0.9 · (1/e)^(1/p); the first one is found as in Hairer, Nørsett and Wanner I, II.4. Invariants are kept as the scheme
-/// keeps them whatever its step; that energies do not drift is lost with equal steps.
+/// 0.9 · (1/e)^(1/p); the first one is found as in Hairer, Nørsett and Wanner I, II.4. Linear
+/// invariants are kept as the scheme keeps them; quadratic ones of Gauss schemes to what sweeps may leave, a tenth of the
+/// tolerance per step; that energies do not drift is lost with equal steps.
 pub type Adaptive<V, T = f64> = Integration<Controlled<V, T>, T>;
 
 /// The method of an [`Adaptive`] run. It is ahead of the output by up to a step, and starts anew where a state is not that

@@ -47,7 +47,8 @@ pub(crate) type Flat<M, T> = FlatState<M, T>;
 /// Xᵢ = x + h Σⱼ aᵢⱼ f(t + cⱼ h, Xⱼ), x ← x + h Σᵢ bᵢ f(t + cᵢ h, Xᵢ),
 ///
 /// of order 2 S, symmetric, symplectic and A-stable; S = 1 is the implicit midpoint rule. Linear and quadratic invariants
-/// are kept to rounding (Cooper 1987), unless the flow is stiff and Newton's method leaves more of them, the energy of Hamiltonian models up to oscillations of order 2 S.
+/// are kept to rounding (Cooper 1987), unless the flow is stiff and Newton's method leaves more of them; the energy of
+/// Hamiltonian models up to oscillations of order 2 S.
 ///
 /// Source: Kuntzmann (1961), Butcher (1964); Hairer, Lubich and Wanner, *Geometric Numerical Integration*, II.1.3, VI.4.
 pub type Gauss<M, const S: usize, T = f64> = Integration<Collocation<M, S, T>, T>;
@@ -55,7 +56,7 @@ pub type Gauss<M, const S: usize, T = f64> = Integration<Collocation<M, S, T>, T
 /// The method of a [`Gauss`].
 pub struct Collocation<M: Collocated<T>, const S: usize, T: Packed> {
     core: Core<M, T>,
-    h: T,
+    pub(super) h: T,
 }
 
 impl<M: Collocated<T>, T: Packed> Gauss<M, LANES, T> {

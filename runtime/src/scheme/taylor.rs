@@ -32,6 +32,9 @@ pub const USUAL_ORDER: usize = 20;
 ///
 /// x ← x + Σ xₙ hⁿ, 1 ≤ n ≤ p, with x = Σ xₙ (t' − t)ⁿ on the motion, (n + 1) xₙ₊₁ the coefficient of order n of f.
 ///
+/// Explicit and not symmetric: linear invariants are kept, all others to the error of order p, which high orders and short
+/// steps make smaller than rounding.
+///
 /// Sources: Moore, *Interval Analysis* (1966), chapter 11; Jorba and Zou, *Experiment. Math.* 14 (2005).
 pub type TaylorSeries<M, T = f64> = Integration<Taylor<M, T>, T>;
 

@@ -104,6 +104,7 @@ impl<T: Real> Coefficients<T> {
 impl<T: Packed> Coefficients<T> {
     /// Columns of the matrix that takes h bⱼ f(Xⱼ) of one step to Σⱼ aᵢⱼ h f of one that starts at `from` of it and has
     /// `ratio` times its length, by the polynomial of the rates.
+    #[expect(clippy::needless_range_loop, reason = "indices as in the formula")]
     pub(crate) fn extrapolation(&self, from: T, ratio: T) -> [Row<T>; LANES] {
         T::work(Extrapolation {
             coefficients: self,
@@ -111,6 +112,18 @@ impl<T: Packed> Coefficients<T> {
             ratio,
         })
     }
+}
+
+/// a xᵢ
+#[inline]
+pub(crate) fn scaled<T: Real>(a: T, x: Row<T>) -> Row<T> {
+    x.map(|x| a * x)
+}
+
+/// a + xᵢ
+#[inline(always)]
+pub(crate) fn shifted<T: Real>(a: T, x: Row<T>) -> Row<T> {
+    x.map(|x| a + x)
 }
 
 /// [`Coefficients::extrapolation`], all stages of the new step side by side.

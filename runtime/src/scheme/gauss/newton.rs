@@ -203,6 +203,7 @@ impl<M: Collocated<T>, T: Packed> Corrections<'_, M, T> {
     }
 
     /// h L of A = L U with ones on the diagonal of U.
+    #[expect(clippy::needless_range_loop, reason = "indices as in the textbook")]
     fn crout(&self) -> [Row<T>; LANES] {
         let zero = T::constant(0.0);
         let s = self.stages;
@@ -232,6 +233,7 @@ impl<M: Collocated<T>, T: Packed> Corrections<'_, M, T> {
     }
 
     /// Δ with (I − l J) Δ = right, by elimination with row pivoting; `None` where a pivot is 0.
+    #[expect(clippy::needless_range_loop, reason = "indices as in the textbook")]
     fn solve(&self, l: T, mut right: Flat<M, T>) -> Option<Flat<M, T>> {
         let [zero, one] = [0.0, 1.0].map(T::constant);
         let n = right.as_ref().len();

@@ -4,6 +4,7 @@ use super::Collocated;
 use super::Stages;
 use super::coefficients::LANES;
 use super::coefficients::Row;
+use super::coefficients::shifted;
 use super::within_digits;
 use crate::integration::FlatState;
 use crate::model::Flow;
@@ -76,7 +77,7 @@ impl<M: Collocated<T>, T: Packed> Work<T> for Sweeps<'_, M, T> {
         let mut stages = *self.known;
         for (stage, x) in stages.as_mut().iter_mut().zip(x) {
             let sums = arithmetic.combine(&guess, stage.numbers());
-            *stage = T::Pack::pack(sums.map(|sum| *x + sum));
+            *stage = T::Pack::pack(shifted(*x, sums));
         }
 
         let [zero, half, one] = [0.0, 0.5, 1.0].map(T::constant);
@@ -120,7 +121,7 @@ impl<M: Collocated<T>, T: Packed> Work<T> for Sweeps<'_, M, T> {
             let rows = stages.as_mut().iter_mut().zip(increments.as_ref());
             for ((stage, increment), (x, weight)) in rows.zip(x.iter().zip(weights)) {
                 let sums = arithmetic.combine(&mu, increment.numbers());
-                let moved = sums.map(|sum| *x + sum);
+                let moved = shifted(*x, sums);
                 if is_measured {
                     for (i, square) in squares.iter_mut().enumerate() {
                         let change = (moved[i] - stage.numbers()[i]) * *weight;

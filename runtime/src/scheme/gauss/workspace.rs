@@ -6,6 +6,8 @@ use super::Stages;
 use super::coefficients::Coefficients;
 use super::coefficients::LANES;
 use super::coefficients::Row;
+use super::coefficients::scaled;
+use super::coefficients::shifted;
 use super::larger;
 use super::newton::Corrections;
 use super::newton::Square;
@@ -119,7 +121,7 @@ impl<M: Collocated<T>, T: Packed> Core<M, T> {
     pub(super) fn follow(&mut self, from: T, ratio: T) {
         self.ratio = ratio;
         self.h = ratio * self.taken;
-        self.hc = self.coefficients.c.map(|c| self.h * c);
+        self.hc = scaled(self.h, self.coefficients.c);
         self.hb = self.coefficients.weights(self.h);
         self.guess = self.coefficients.extrapolation(from, ratio);
     }
@@ -245,7 +247,7 @@ impl<M: Collocated<T>, T: Packed> Core<M, T> {
             scene: &self.packed,
             stages: self.coefficients.stages,
             t,
-            times: self.hc.map(|hc| t + hc),
+            times: shifted(t, self.hc),
             hb: self.hb,
             mu: &self.coefficients.mu,
             x,
@@ -284,7 +286,7 @@ impl<M: Collocated<T>, T: Packed> Core<M, T> {
         T::work(Sweeps::<M, T> {
             scene: &self.packed,
             alone: is_alone.then_some(&self.scene),
-            times: self.hc.map(|hc| t + hc),
+            times: shifted(t, self.hc),
             hb: self.hb,
             mu: &self.coefficients.mu,
             guess: &self.guess,
@@ -303,7 +305,7 @@ impl<M: Collocated<T>, T: Packed> Core<M, T> {
         let zero = T::constant(0.0);
         if h != self.h {
             self.h = h;
-            self.hc = self.coefficients.c.map(|c| h * c);
+            self.hc = scaled(h, self.coefficients.c);
             self.hb = self.coefficients.weights(h);
         }
         if self.taken != zero && h != self.ratio * self.taken {
@@ -326,7 +328,7 @@ impl<M: Collocated<T>, T: Packed> Core<M, T> {
         let rows = self.known.as_mut().iter_mut().zip(self.change.as_mut());
         for (known, change) in rows {
             let rate = *change;
-            *known = T::Pack::pack(self.hb.map(|hb| hb * rate));
+            *known = T::Pack::pack(scaled(rate, self.hb));
             *change = h * rate;
         }
     }

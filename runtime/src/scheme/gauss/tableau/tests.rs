@@ -112,9 +112,9 @@ fn the_simplifying_assumptions_hold() {
                 assert_close(sum(&|j| mu[i][j].mul(b[j])), part.mul(power(c[i], k)));
             }
         }
-        for i in 0..S {
-            for j in 0..S {
-                assert_close(mu[i][j].add(mu[j][i]), Extended::ONE);
+        for (i, row) in mu.iter().enumerate() {
+            for (value, transposed) in row.iter().zip(&mu) {
+                assert_close(value.add(transposed[i]), Extended::ONE);
             }
         }
     }
