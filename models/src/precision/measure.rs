@@ -13,6 +13,9 @@ use std::time::Instant;
 /// Turns in which runs are timed, so that a slow moment of the machine is one for all.
 const TURNS: usize = 4;
 
+/// Slow runs in a row after which a ladder ends.
+const SLOW: u32 = 2;
+
 /// What may be spent.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Budget {
@@ -20,7 +23,8 @@ pub struct Budget {
     pub runs: usize,
     /// Time for those of one kind, s: what takes longer is run less often, but once.
     pub together: f64,
-    /// A contestant climbs its ladder until a run takes longer than this, s.
+    /// A contestant climbs its ladder until two runs in a row take longer than this, s: steps so long that their equations are
+    /// hard to solve can take longer than shorter ones.
     pub longest: f64,
 }
 
@@ -47,6 +51,7 @@ pub fn measure(
     let mut rows = Vec::new();
     let mut lanes = Vec::new();
     for (position, contestant) in contestants.iter().enumerate() {
+        let mut slow = 0;
         for &rung in &contestant.rungs {
             let (row, mut seconds) = judge(problem, contestant, rung);
             if let Some(seconds) = seconds.as_mut().filter(|taken| **taken > budget.longest) {
@@ -63,7 +68,11 @@ pub fn measure(
             });
             rows.push(row);
             lanes.push(lane);
-            if seconds.is_some_and(|seconds| seconds > budget.longest) {
+            slow = match seconds {
+                Some(seconds) if seconds > budget.longest => slow + 1,
+                _ => 0,
+            };
+            if slow == SLOW {
                 break;
             }
         }

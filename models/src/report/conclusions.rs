@@ -9,7 +9,6 @@ use super::page::Cell;
 use super::page::Data;
 use super::page::Section;
 use super::page::Table;
-use super::page::Verdict;
 use super::runs::RunError;
 use evidence::Evidence;
 use evidence::PLANAR;

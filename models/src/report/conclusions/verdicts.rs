@@ -9,6 +9,7 @@ use super::evidence::Evidence;
 use super::evidence::KEPT;
 use super::evidence::PLANAR_END;
 use super::evidence::PLANAR_STEPS;
+use super::evidence::SPATIAL_END;
 use super::evidence::SPATIAL_STEPS;
 use super::evidence::found;
 use super::evidence::largest;

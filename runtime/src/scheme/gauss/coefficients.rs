@@ -104,7 +104,6 @@ impl<T: Real> Coefficients<T> {
 impl<T: Packed> Coefficients<T> {
     /// Columns of the matrix that takes h bⱼ f(Xⱼ) of one step to Σⱼ aᵢⱼ h f of one that starts at `from` of it and has
     /// `ratio` times its length, by the polynomial of the rates.
-    #[expect(clippy::needless_range_loop, reason = "indices as in the formula")]
     pub(crate) fn extrapolation(&self, from: T, ratio: T) -> [Row<T>; LANES] {
         T::work(Extrapolation {
             coefficients: self,
@@ -164,6 +163,7 @@ impl<T: Packed> Work<T> for Extrapolation<'_, T> {
 
 /// P₀, …, P₇ of the shifted Legendre polynomials, each at all of `x`.
 #[inline(always)]
+#[expect(clippy::needless_range_loop, reason = "indices as in the formula")]
 fn legendre_rows<T: Real>(x: &Row<T>) -> [Row<T>; LANES] {
     let one = T::constant(1.0);
     let mut p = [[one; LANES]; LANES];
