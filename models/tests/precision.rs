@@ -36,15 +36,23 @@ fn rows(problem: &Problem, ladders: &Ladders) -> Vec<Row> {
 /// The study finds that motion without symmetry; errors between these are neither rounding nor so large that the
 /// leading term is hidden.
 ///
-/// In double precision the highest orders cross that range in two halvings. What they are to ±0.25 is measured in
-/// double-double numbers by `orders` and `taylor`; here, that each lane of the diagram is the scheme that its name says.
+/// In double precision higher orders fall from where the leading term is hidden to rounding within two halvings, and no slope
+/// can be read off. `orders` and `taylor` measure them all to ±0.25 in double-double numbers; here they must get there.
 #[test]
 fn errors_fall_with_the_order_of_the_scheme() {
     const SEEN: std::ops::Range<f64> = 1e-12..1e-3;
+    const HIGH: usize = 6;
+    /// Rounding of 25 000 steps, magnified by a swing up to 163°.
+    const THERE: f64 = 1e-10;
     let problem = problem("planar-large", 5.0, &["planar_angle"]);
-    let rows = rows(&problem, &LADDERS);
+    // Low orders are there with short steps only.
+    let ladders = Ladders {
+        steps: (0.5, 2e-4),
+        ..LADDERS
+    };
+    let rows = rows(&problem, &ladders);
     let (mut judged, mut all) = (Vec::new(), Vec::new());
-    for contestant in contestants(&problem, &LADDERS) {
+    for contestant in contestants(&problem, &ladders) {
         let Some(order) = contestant.order else {
             continue;
         };
@@ -53,19 +61,24 @@ fn errors_fall_with_the_order_of_the_scheme() {
         let own = rows
             .iter()
             .filter(|row| row.by == OURS && row.scheme == *scheme);
-        let own: Vec<f64> = own
-            .map(|row| row.trajectory)
-            .filter(|e| SEEN.contains(e))
-            .collect();
+        let own: Vec<f64> = own.map(|row| row.trajectory).collect();
+        if order > HIGH {
+            let last = own[own.len() - 1];
+            // A NaN fails.
+            assert!(last <= THERE, "{scheme}: {own:?}");
+            judged.push(scheme.clone());
+            continue;
+        }
+        let own: Vec<f64> = own.into_iter().filter(|e| SEEN.contains(e)).collect();
         let [coarse, .., fine] = own[..] else {
             continue;
         };
         // Over all halvings: a single one can start or end where the leading term passes zero.
         let slope = (coarse / fine).log2() / (own.len() - 1) as f64;
         println!("{scheme}: {slope:.2} of {order}");
-        // The leading term alone has its order; the higher that is, the nearer the steps are to where the series ends.
+        // Coarse steps are not yet where the leading term is alone.
         let order = order as f64;
-        let theory = order - 0.5 - order / 8.0..order + 1.0 + order / 4.0;
+        let theory = order - 0.5..order + 1.0;
         assert!(
             theory.contains(&slope),
             "{scheme}: {slope} of {order}, {own:?}"
