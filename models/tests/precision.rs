@@ -3,8 +3,7 @@
 mod support;
 
 use residua_models::precision::{
-    Budget, Given, Kind, LEVELS, Ladders, OURS, Problem, Row, contestants, measure, picture, read,
-    verdicts, write,
+    Budget, Given, Ladders, OURS, Problem, Row, contestants, measure, picture, read,
 };
 use serde_json::Value;
 use std::fs;
