@@ -47,7 +47,9 @@ fn main() -> io::Result<()> {
             "\n/// {doc}\npub static {list}: &[crate::Entry] = &[\n{entries}];"
         );
     }
-    let catalogue = modules + &lists;
+    // Of what has continuous equations and what has none, so it may be that one of them is not used.
+    let probes = "#[allow(unused_imports)]\nuse crate::exact::WithoutFlow as _;\n#[cfg(feature = \"rivals\")]\n#[allow(unused_imports)]\nuse crate::rivals::WithoutFlow as _;\n";
+    let catalogue = modules + probes + &lists;
     let out = PathBuf::from(env::var_os("OUT_DIR").unwrap_or_default()).join("catalogue.rs");
     fs::write(out, catalogue)
 }
@@ -95,7 +97,7 @@ fn add(kind: &Kind, path: &Path, bytes: &[u8], modules: &mut String, entries: &m
         Ok(_) => {
             modules.push_str(&include);
             let entry = format!(
-                "crate::Entry {{ catalogued: &{stem}::MODEL, source: include_str!({file}) }}"
+                "crate::Entry {{ catalogued: &{stem}::MODEL, source: include_str!({file}), extended: crate::exact::Probe::<{stem}::Model>::EXTENDED, #[cfg(feature = \"rivals\")] rivals: crate::rivals::Probe::<{stem}::Model>::RIVALS }}"
             );
             let _ = writeln!(entries, "    {entry},");
         }

@@ -21,8 +21,12 @@ pub mod errata;
 pub mod exact;
 pub mod notation;
 pub mod plot;
+pub mod precision;
+pub mod race;
 pub mod replay;
 pub mod report;
+#[cfg(feature = "rivals")]
+pub mod rivals;
 pub mod stress;
 pub mod study;
 pub mod values;
@@ -45,6 +49,11 @@ pub struct Entry {
     pub catalogued: &'static Catalogued,
     /// The text of its file.
     pub source: &'static str,
+    /// Its continuous equations with twice the digits.
+    pub extended: Option<&'static dyn exact::Extended>,
+    /// Its continuous equations, integrated by others.
+    #[cfg(feature = "rivals")]
+    pub rivals: Option<&'static dyn rivals::Rivals>,
 }
 
 impl Entry {

@@ -242,9 +242,9 @@ fn time<T: Real>(t0: T, h: T, steps: u64) -> T {
 
 /// Refuses a state with a component that is not finite.
 #[inline]
-pub(crate) fn require_finite<T: Real>(state: &impl AsRef<[T]>) -> Result<(), Fault> {
+pub(crate) fn require_finite<T: Real, X: AsRef<[T]>>(state: X) -> Result<X, Fault> {
     if all_finite(state.as_ref()) {
-        return Ok(());
+        return Ok(state);
     }
     Err(not_finite(state.as_ref()))
 }

@@ -9,13 +9,14 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use residua::erased::Sample;
 use residua::{Ensemble, Fleet, Model, Record, Settings, System, Wide};
 use residua_models::dsl as models;
+use residua_models::race::{Lane, agree, race};
 use residua_tests::reference::{
     Form, nalgebra_step, planar_angle, planar_group, planar_reduced, spatial_cardan, spatial_group,
     spatial_reduced,
 };
+use std::convert::Infallible;
 use std::hint::black_box;
 use std::sync::Mutex;
-use std::time::Instant;
 
 /// Trajectories of the ensemble: some groups.
 const TRAJECTORIES: usize = 256;
@@ -87,7 +88,7 @@ where
 }
 
 /// Times the generated solver `S` and the form `F`, which must be the same equations.
-fn compare<S: Wide + 'static, F: Form<M, N>, const M: usize, const N: usize>(rounds: usize)
+fn compare<S: Wide + 'static, F: Form<M, N>, const M: usize, const N: usize>(rounds: u64)
 where
     Const<N>: DimMin<Const<N>, Output = Const<N>>,
 {
@@ -95,30 +96,21 @@ where
         .num_threads(1)
         .build()
         .expect("a thread");
-    let (ours, theirs) = (ensemble::<S>(&pool), rival::<S, F, M, N>(TRAJECTORIES));
-    for (a, b) in ours.iter().flatten().zip(theirs.iter().flatten()) {
-        // Written so that a NaN fails.
-        assert!((a - b).abs() <= AGREEMENT, "{}: {a} and {b}", F::MODEL);
-    }
-    let pace = |count: usize, run: &dyn Fn()| {
-        let clock = Instant::now();
-        run();
-        clock.elapsed().as_secs_f64() * 1e9 / (count as f64 * STEPS as f64)
+    let ours = |trajectories: usize| {
+        let ends = ensemble::<S>(&pool).into_iter().take(trajectories);
+        ends.flatten().collect::<Vec<_>>()
     };
-    // In turns, so that a slow moment of the machine is one for both.
-    let (mut lanes, mut nalgebra) = (Vec::new(), Vec::new());
-    for _ in 0..rounds {
-        lanes.push(pace(TRAJECTORIES, &|| {
-            drop(black_box(ensemble::<S>(&pool)))
-        }));
-        nalgebra.push(pace(OF_RIVAL, &|| {
-            drop(black_box(rival::<S, F, M, N>(OF_RIVAL)))
-        }));
-    }
-    let [lanes, nalgebra] = [lanes, nalgebra].map(|mut paces| {
-        paces.sort_by(f64::total_cmp);
-        paces[paces.len() / 2]
-    });
+    let (all, few) = (TRAJECTORIES, OF_RIVAL);
+    let theirs = |trajectories| rival::<S, F, M, N>(trajectories).concat();
+    assert!(agree(&theirs(all), &ours(all), AGREEMENT), "{}", F::MODEL);
+    let of = |trajectories: usize| trajectories as f64 * STEPS as f64;
+    let mut lanes = [
+        Lane::<Infallible>::new("lanes", of(all), || Ok(ours(few))),
+        Lane::new("nalgebra", of(few), || Ok(theirs(few))),
+    ];
+    let paces = race(&mut lanes, AGREEMENT, rounds);
+    let paces = paces.unwrap_or_else(|unfair| panic!("{}: {unfair}", F::MODEL));
+    let [lanes, nalgebra] = [0, 1].map(|lane| paces[lane].median * 1e9);
     println!(
         "{} {}: {lanes:.2} ns in lanes, {nalgebra:.0} ns by nalgebra, {:.0} times",
         F::MODEL,

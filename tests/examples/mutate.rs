@@ -44,9 +44,7 @@ fn main() -> io::Result<()> {
     for part in PARTS {
         copy_all(&root.join(part), &copy.join(part))?;
     }
-    if let Some(test) = noticing(&copy, "")? {
-        return Err(io::Error::other(format!("unbroken code fails {test}")));
-    }
+    let mut proved = [false; ATTEMPTS.len()];
     let mut table = String::from(
         "# Ways to break the code, and the test that notices first\n\n\
          Written by `cargo run --release -p residua-tests --example mutate`. Each row is one change of the code, by itself.\n\n\
@@ -62,7 +60,7 @@ fn main() -> io::Result<()> {
         let path = copy.join(file);
         let text = fs::read_to_string(&path)?;
         fs::write(&path, text.replacen(from, to, 1))?;
-        let noticed = noticing(&copy, file)?;
+        let noticed = noticing(&copy, file, (&path, &text), &mut proved)?;
         fs::write(&path, text)?;
         let noticed = noticed.map_or("nothing".to_owned(), |test| format!("`{test}`"));
         let row = format!("| {rule} | `{file}` | {noticed} |\n");
@@ -75,9 +73,15 @@ fn main() -> io::Result<()> {
     Ok(())
 }
 
-/// The first test that fails, of those that a change of `file` can make fail.
-fn noticing(workspace: &Path, file: &str) -> io::Result<Option<String>> {
-    for attempt in ATTEMPTS {
+/// The first test that fails, of those that a change of `file` can make fail. An attempt counts once it is proved that it
+/// passes with the `whole` file.
+fn noticing(
+    workspace: &Path,
+    file: &str,
+    whole: (&Path, &str),
+    proved: &mut [bool],
+) -> io::Result<Option<String>> {
+    for (attempt, is_proved) in ATTEMPTS.into_iter().zip(proved) {
         // The runtime knows nothing of the generator, and what the generator tests of itself nothing of the runtime.
         let is_of_runtime = attempt[1] == "residua" && attempt.len() == 3;
         let is_of_codegen = attempt[1] == "residua-codegen";
@@ -86,26 +90,44 @@ fn noticing(workspace: &Path, file: &str) -> io::Result<Option<String>> {
         {
             continue;
         }
-        let output = Command::new(env!("CARGO"))
-            .args(["test", "--release"])
-            .args(attempt)
-            .args(["--", "--skip", "every_mutation_has_its_place"])
-            .current_dir(workspace)
-            .env("CARGO_TARGET_DIR", workspace.join("../target"))
-            .output()?;
-        if output.status.success() {
+        let Some(failed) = failing(workspace, attempt)? else {
+            *is_proved = true;
             continue;
+        };
+        if !*is_proved {
+            let broken = fs::read_to_string(whole.0)?;
+            fs::write(whole.0, whole.1)?;
+            if let Some(test) = failing(workspace, attempt)? {
+                return Err(io::Error::other(format!("unbroken code fails {test}")));
+            }
+            fs::write(whole.0, broken)?;
+            *is_proved = true;
         }
-        let text = String::from_utf8_lossy(&output.stdout).into_owned();
-        let failed = text
-            .lines()
-            .find(|line| line.starts_with("test ") && line.contains("FAILED"));
-        let name = failed.and_then(|line| line.split_whitespace().nth(1));
-        // A step that never ends its build is noticed as well, but proves nothing about tests.
-        let name = name.map_or("the build alone".to_owned(), str::to_owned);
-        return Ok(Some(name));
+        return Ok(Some(failed));
     }
     Ok(None)
+}
+
+/// The first test that fails.
+fn failing(workspace: &Path, attempt: &[&str]) -> io::Result<Option<String>> {
+    let output = Command::new(env!("CARGO"))
+        .args(["test", "--release"])
+        .args(attempt)
+        .args(["--", "--skip", "every_mutation_has_its_place"])
+        .current_dir(workspace)
+        .env("CARGO_TARGET_DIR", workspace.join("../target"))
+        .output()?;
+    if output.status.success() {
+        return Ok(None);
+    }
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    let is_failed = |line: &&str| line.starts_with("test ") && line.contains("FAILED");
+    let name = text
+        .lines()
+        .find(is_failed)
+        .and_then(|line| line.split_whitespace().nth(1));
+    // Code that does not compile, or a test that never ends, is noticed as well, but proves nothing about tests.
+    Ok(Some(name.unwrap_or("the build alone").to_owned()))
 }
 
 /// Copies a file or a folder, without what is built.

@@ -22,6 +22,7 @@ fn every_mutation_has_its_place() {
             .lines()
             .find(|line| line.starts_with(&format!("| {rule} |")));
         let row = row.unwrap_or_else(|| panic!("no row for: {rule}"));
-        assert!(!row.contains("nothing"), "{row}");
+        let is_noticed = !row.contains("| nothing |") && !row.contains("`the build alone`");
+        assert!(is_noticed, "{row}");
     }
 }

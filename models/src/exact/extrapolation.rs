@@ -2,7 +2,7 @@
 //!
 //! Over a step H the explicit midpoint rule with n = 2, 4, 6, … substeps h = H/n,
 //!
-//! y₁ = y₀ + h f(y₀), yᵢ₊₁ = yᵢ₋₁ + 2 h f(yᵢ), T = (yₙ₋₁ + 2 yₙ + yₙ₊₁)/4,
+//! y₁ = y₀ + h f(t₀, y₀), yᵢ₊₁ = yᵢ₋₁ + 2 h f(t₀ + i h, yᵢ), T = (yₙ₋₁ + 2 yₙ + yₙ₊₁)/4,
 //!
 //! has an error in even powers of h (Gragg 1965), which the Aitken–Neville scheme removes one by one: column k is
 //! of order 2 k. Columns are added until they agree.
@@ -18,10 +18,10 @@ const MOST_SUBSTEPS: u32 = 28;
 /// error is smaller by orders of magnitude; lower costs columns, 1e-30 is out of reach.
 const AGREED: f64 = 1e-20;
 
-/// The states at `times` of dy/dt = f(y), y(0) = `start`, in steps no longer than `longest`, and the largest
+/// The states at `times` of dy/dt = f(t, y), y(0) = `start`, in steps no longer than `longest`, and the largest
 /// difference from a run with half as many steps again, whose states these are.
 pub(crate) fn run<const N: usize>(
-    f: impl Fn(&[Double; N]) -> [Double; N],
+    f: impl Fn(Double, &[Double; N]) -> [Double; N],
     start: [Double; N],
     times: &[f64],
     longest: f64,
@@ -31,8 +31,8 @@ pub(crate) fn run<const N: usize>(
     for &time in times {
         let interval = Double::from(time) - Double::from(t);
         let n = (interval.to_f64() / longest).ceil();
-        coarse = steps(&f, coarse, interval, n);
-        fine = steps(&f, fine, interval, n + (n / 2.0).ceil());
+        coarse = steps(&f, t, coarse, interval, n);
+        fine = steps(&f, t, fine, interval, n + (n / 2.0).ceil());
         // `max` would pass over NaN.
         let difference = distance(&coarse, &fine);
         error = if difference <= error {
@@ -47,29 +47,32 @@ pub(crate) fn run<const N: usize>(
 }
 
 fn steps<const N: usize>(
-    f: &impl Fn(&[Double; N]) -> [Double; N],
+    f: &impl Fn(Double, &[Double; N]) -> [Double; N],
+    t: f64,
     start: [Double; N],
     interval: Double,
     n: f64,
 ) -> [Double; N] {
     let mut y = start;
-    for _ in 0..n as u64 {
-        y = step(f, &y, interval / n);
+    let h = interval / n;
+    for k in 0..n as u64 {
+        y = step(f, Double::from(t) + h * (k as f64), &y, h);
     }
     y
 }
 
 /// The state a step `h` after `start`.
 fn step<const N: usize>(
-    f: &impl Fn(&[Double; N]) -> [Double; N],
+    f: &impl Fn(Double, &[Double; N]) -> [Double; N],
+    t: Double,
     start: &[Double; N],
     h: Double,
 ) -> [Double; N] {
-    let slope = f(start);
+    let slope = f(t, start);
     let mut row: Vec<[Double; N]> = Vec::new();
     let mut best = *start;
     for n in (2..=MOST_SUBSTEPS).step_by(2) {
-        let mut entry = midpoint(f, start, &slope, h, n);
+        let mut entry = midpoint(f, t, start, &slope, h, n);
         let fewer = (2..n).step_by(2).rev();
         for (above, fewer) in row.iter_mut().zip(fewer) {
             let weight = Double::from(f64::from(fewer * fewer)) / f64::from(n * n - fewer * fewer);
@@ -89,7 +92,8 @@ fn step<const N: usize>(
 
 /// Gragg's smoothed midpoint rule with `n` substeps.
 fn midpoint<const N: usize>(
-    f: &impl Fn(&[Double; N]) -> [Double; N],
+    f: &impl Fn(Double, &[Double; N]) -> [Double; N],
+    t: Double,
     start: &[Double; N],
     slope: &[Double; N],
     step: Double,
@@ -98,10 +102,11 @@ fn midpoint<const N: usize>(
     let h = step / f64::from(n);
     let mut before = *start;
     let mut y = moved(start, h, slope);
-    for _ in 1..n {
-        (before, y) = (y, moved(&before, h * 2.0, &f(&y)));
+    for i in 1..n {
+        let slope = f(t + h * f64::from(i), &y);
+        (before, y) = (y, moved(&before, h * 2.0, &slope));
     }
-    let after = moved(&before, h * 2.0, &f(&y));
+    let after = moved(&before, h * 2.0, &f(t + step, &y));
     let mean = moved(&before, Double::ONE, &after);
     core::array::from_fn(|i| mean[i] * 0.25 + y[i] * 0.5)
 }

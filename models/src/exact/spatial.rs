@@ -90,7 +90,7 @@ impl<T: Into<Double> + Copy> SpatialPendulum<T> {
         check_times(times)?;
 
         let scene = Model::flow_scene(&parameters);
-        let flow = |y: &[Double; 12]| Model::flow(&scene, Double::ZERO, y);
+        let flow = |t: Double, y: &[Double; 12]| Model::flow(&scene, t, y);
         let mut longest = LONGEST_TURN / self.fastest(&start);
         let (mut states, mut error) = extrapolation::run(flow, start, times, longest);
         for _ in 1..ATTEMPTS {

@@ -3,8 +3,11 @@
 //! Comes in: a [`Figure`] of curves that are already thinned out. Goes out: the text of an SVG file.
 
 mod axis;
+mod logarithmic;
 
 use crate::notation::power_of_ten;
+pub use logarithmic::{LogCurve, LogPanel, Logarithmic, logarithmic_svg};
+
 use axis::{common_exponent, extent, padded, short};
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};

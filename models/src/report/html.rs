@@ -3,6 +3,7 @@
 use super::page::Block;
 use super::page::Cell;
 use super::page::Data;
+use super::page::Diagram;
 use super::page::Figure;
 use super::page::Judgement;
 use super::page::Page;
@@ -100,6 +101,7 @@ fn block(block: &Block) -> Result<String, String> {
         Block::Code(code) => format!("<pre><code>{}</code></pre>\n", escaped(code)),
         Block::Facts(facts) => self::facts(facts),
         Block::Figure(figure) => self::figure(figure)?,
+        Block::Diagram(diagram) => self::diagram(diagram)?,
         Block::Table(table) => self::table(table),
         Block::Folded(table) => {
             let (rows, table) = (table.data.rows.len(), self::table(table));
@@ -129,18 +131,26 @@ fn facts(facts: &[(String, String)]) -> String {
 }
 
 fn figure(figure: &Figure) -> Result<String, String> {
-    let svg = plot::svg(&figure.plot)?;
     let class = if figure.overlay {
         "plot overlay"
     } else {
         "plot"
     };
-    let caption = escaped(&figure.caption);
-    let csv = csv_link(&figure.csv);
-    Ok(format!(
+    let svg = plot::svg(&figure.plot)?;
+    Ok(picture(class, &svg, &figure.caption, &figure.csv))
+}
+
+fn diagram(diagram: &Diagram) -> Result<String, String> {
+    let svg = plot::logarithmic_svg(&diagram.plot)?;
+    Ok(picture("plot", &svg, &diagram.caption, &diagram.csv))
+}
+
+fn picture(class: &str, svg: &str, caption: &str, csv: &str) -> String {
+    let (caption, csv) = (escaped(caption), csv_link(csv));
+    format!(
         "<figure>\n<div class=\"{class}\" role=\"img\" aria-label=\"{caption}\">\n{svg}</div>\n\
          <figcaption>{caption} {csv}</figcaption>\n</figure>\n"
-    ))
+    )
 }
 
 fn table(table: &Table) -> String {

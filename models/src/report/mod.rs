@@ -10,6 +10,7 @@ mod html;
 mod maps;
 mod measure;
 pub mod page;
+mod precision;
 mod reference;
 mod runs;
 mod schemes;
@@ -32,6 +33,7 @@ pub fn report(progress: &ProgressBar) -> Result<Page, RunError> {
             figures::section(progress)?,
             schemes::section(progress)?,
             maps::section(progress),
+            precision::section(progress)?,
             errata::section(progress)?,
         ],
     })

@@ -46,6 +46,8 @@ pub enum Block {
     Facts(Vec<(String, String)>),
     /// A plot.
     Figure(Figure),
+    /// Panels with logarithmic axes.
+    Diagram(Diagram),
     /// Numbers.
     Table(Table),
     /// A long table, closed until it is asked for; not in print.
@@ -65,6 +67,18 @@ pub struct Figure {
     /// Curves may lie on each other: from the second on they are dashed.
     pub overlay: bool,
     /// What is plotted, at full resolution.
+    pub data: Data,
+}
+
+/// Panels with logarithmic axes, and their data.
+pub struct Diagram {
+    /// Stem of its CSV file.
+    pub csv: String,
+    /// Below the picture.
+    pub caption: String,
+    /// The picture.
+    pub plot: plot::Logarithmic,
+    /// What is plotted.
     pub data: Data,
 }
 
@@ -257,6 +271,7 @@ impl Page {
         for block in self.sections.iter().chain(parts).flat_map(|s| &s.blocks) {
             let (csv, data) = match block {
                 Block::Figure(figure) => (&figure.csv, &figure.data),
+                Block::Diagram(diagram) => (&diagram.csv, &diagram.data),
                 Block::Table(table) | Block::Folded(table) => (&table.csv, &table.data),
                 _ => continue,
             };

@@ -69,6 +69,8 @@ pub enum RunError {
     Column(String),
     /// The claims of a model could not be judged.
     Claims(String),
+    /// A motion has no exact end to measure errors by.
+    Precision(String),
 }
 
 impl fmt::Display for RunError {
@@ -79,7 +81,7 @@ impl fmt::Display for RunError {
             Self::Flow(wanted) => write!(f, "`{}` has no continuous equations", wanted.model),
             Self::Exact(invalid) => invalid.fmt(f),
             Self::Column(name) => write!(f, "no quantity `{name}` was recorded"),
-            Self::Claims(why) => f.write_str(why),
+            Self::Claims(why) | Self::Precision(why) => f.write_str(why),
         }
     }
 }

@@ -86,7 +86,7 @@ pub fn conservation(
 }
 
 /// Σⱼ |∂y/∂xⱼ| |xⱼ|: how large the terms of y are, even where they cancel.
-fn term_size(state: &[f64], value: impl Fn(&[f64]) -> Vec<f64>) -> f64 {
+pub fn term_size(state: &[f64], value: impl Fn(&[f64]) -> Vec<f64>) -> f64 {
     const SHIFT: f64 = 1e-3;
     let here = value(state);
     let mut shifted = state.to_vec();

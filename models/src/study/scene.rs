@@ -213,7 +213,7 @@ fn rows(values: &[f64]) -> [[f64; 3]; 3] {
 }
 
 /// The same parameters, in name, shape and unit.
-fn are_kin(one: &Catalogued, other: &Catalogued) -> bool {
+pub fn are_kin(one: &Catalogued, other: &Catalogued) -> bool {
     let list = |model: &Catalogued| {
         let parameters = model.description.parameters.iter();
         let list = parameters.map(|p| (p.ascii, p.rows, p.cols, p.unit));

@@ -55,7 +55,7 @@ pub fn plan(options: &Simulate, model: &'static Catalogued) -> Result<Plan, Fail
             options.scheme
         )));
     }
-    let (parameters, start) = values(options, model)?;
+    let (parameters, start) = assigned(model, &options.set, &options.start)?;
     Ok(Plan {
         scheme: scheme(options, model)?,
         parameters,
@@ -116,9 +116,13 @@ fn steps(step: f64, until: f64) -> Result<Span, Failure> {
 }
 
 /// Parameters and start values: those of the file, overwritten by `--set` and `--start`.
-fn values(options: &Simulate, model: &'static Catalogued) -> Result<(Vec<f64>, Vec<f64>), Failure> {
+pub fn assigned(
+    model: &'static Catalogued,
+    parameter_values: &[Assignment],
+    start_values: &[Assignment],
+) -> Result<(Vec<f64>, Vec<f64>), Failure> {
     let description = model.description;
-    for assignment in options.set.iter().chain(&options.start) {
+    for assignment in parameter_values.iter().chain(start_values) {
         refuse_skipped(assignment, description)?;
     }
     let mut parameters = values::defaults(model);
@@ -128,7 +132,7 @@ fn values(options: &Simulate, model: &'static Catalogued) -> Result<(Vec<f64>, V
         variables: description.parameters,
         values: &mut parameters,
     };
-    assign(&options.set, target, &defaults)?;
+    assign(parameter_values, target, &defaults)?;
 
     let mut start = values::start(model, &parameters);
     let set = symbols(description.parameters, &parameters);
@@ -137,7 +141,7 @@ fn values(options: &Simulate, model: &'static Catalogued) -> Result<(Vec<f64>, V
         variables: description.states,
         values: &mut start,
     };
-    assign(&options.start, target, &set)?;
+    assign(start_values, target, &set)?;
     match start.iter().find(|value| !value.is_finite()) {
         Some(value) => Err(Failure::input(format!(
             "a start value of `{}` is {value}",

@@ -1,6 +1,9 @@
 //! The tableau in the numbers of a run, padded to eight stages.
 
 use super::tableau::Tableau;
+use crate::packed::Arithmetic;
+use crate::packed::Packed;
+use crate::packed::Work;
 use crate::scalar::Real;
 
 /// Stages at most: those of one vector.
@@ -96,30 +99,16 @@ impl<T: Real> Coefficients<T> {
         (rule.legendre[0][1], rule.legendre[1][1]) = (-one, one);
         rule
     }
+}
 
+impl<T: Packed> Coefficients<T> {
     /// Columns of the matrix that takes h bⱼ f(Xⱼ) of one step to Σⱼ aᵢⱼ h f of one that starts at `from` of it and has
     /// `ratio` times its length, by the polynomial of the rates.
-    #[expect(clippy::needless_range_loop, reason = "indices as in the formula")]
     pub(crate) fn extrapolation(&self, from: T, ratio: T) -> [Row<T>; LANES] {
-        let zero = T::constant(0.0);
-        let s = self.stages;
-        // h' bₖ/h Σₘ Pₘ(from + ratio cₖ) (2m + 1) Pₘ(cⱼ)
-        let mut rates = [[zero; LANES]; LANES];
-        let values = self.c.map(|c| legendre::<T>(from + ratio * c));
-        for k in 0..s {
-            for j in 0..s {
-                let terms = (0..s).fold(zero, |sum, m| sum + values[k][m] * self.legendre[j][m]);
-                rates[j][k] = ratio * self.b[k] * terms;
-            }
-        }
-        rates.map(|rates| {
-            let mut column = [zero; LANES];
-            for (mu, rate) in self.mu.iter().zip(rates) {
-                for (sum, mu) in column.iter_mut().zip(mu) {
-                    *sum = *sum + *mu * rate;
-                }
-            }
-            column
+        T::work(Extrapolation {
+            coefficients: self,
+            from,
+            ratio,
         })
     }
 }
@@ -136,15 +125,62 @@ pub(crate) fn shifted<T: Real>(a: T, x: Row<T>) -> Row<T> {
     x.map(|x| a + x)
 }
 
-/// P₀(x), …, P₇(x) of the shifted Legendre polynomials.
-pub(crate) fn legendre<T: Real>(x: T) -> Row<T> {
+/// [`Coefficients::extrapolation`], all stages of the new step side by side.
+struct Extrapolation<'a, T> {
+    coefficients: &'a Coefficients<T>,
+    from: T,
+    ratio: T,
+}
+
+impl<T: Packed> Work<T> for Extrapolation<'_, T> {
+    type Output = [Row<T>; LANES];
+
+    /// μ applied to h' bₖ/h Σₘ Pₘ(from + ratio cₖ) (2m + 1) Pₘ(cⱼ)
+    #[inline(always)]
+    fn run<A: Arithmetic<T>>(self, arithmetic: A) -> [Row<T>; LANES] {
+        let Self {
+            coefficients,
+            from,
+            ratio,
+        } = self;
+        let [mut x, mut weights] = [coefficients.c, coefficients.b];
+        for (x, weight) in x.iter_mut().zip(&mut weights) {
+            *x = from + ratio * *x;
+            *weight = ratio * *weight;
+        }
+        let polynomials = legendre_rows(&x);
+        let mut columns = coefficients.legendre;
+        for column in &mut columns {
+            let mut rates = arithmetic.combine(&polynomials, column);
+            for (rate, weight) in rates.iter_mut().zip(&weights) {
+                *rate = *weight * *rate;
+            }
+            *column = arithmetic.combine(&coefficients.mu, &rates);
+        }
+        columns
+    }
+}
+
+/// P₀, …, P₇ of the shifted Legendre polynomials, each at all of `x`.
+#[inline(always)]
+#[expect(clippy::needless_range_loop, reason = "indices as in the formula")]
+fn legendre_rows<T: Real>(x: &Row<T>) -> [Row<T>; LANES] {
     let one = T::constant(1.0);
-    let y = x + x - one;
-    let mut p = [one; LANES];
-    p[1] = y;
+    let mut p = [[one; LANES]; LANES];
+    for (p, x) in p[1].iter_mut().zip(x) {
+        *p = *x + *x - one;
+    }
     for k in 1..LANES - 1 {
-        let (a, b) = (T::constant((2 * k + 1) as f64), T::constant(k as f64));
-        p[k + 1] = (a * y * p[k] - b * p[k - 1]) / T::constant((k + 1) as f64);
+        let next = (k + 1) as f64;
+        let [a, b] = [(2 * k + 1) as f64 / next, k as f64 / next].map(T::constant);
+        for i in 0..LANES {
+            p[k + 1][i] = a * p[1][i] * p[k][i] - b * p[k - 1][i];
+        }
     }
     p
+}
+
+/// P₀(x), …, P₇(x) of the shifted Legendre polynomials.
+pub(crate) fn legendre<T: Real>(x: T) -> Row<T> {
+    legendre_rows(&[x; LANES]).map(|row| row[0])
 }

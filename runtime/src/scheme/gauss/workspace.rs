@@ -32,9 +32,10 @@ use crate::scalar::Scalar;
 use crate::settings::LEFTOVER;
 use crate::settings::ROUNDING;
 
-/// Steps by Newton's method after one that sweeps could not solve. More try sweeps too seldom where stiffness passes, fewer
-/// too often where it does not.
-const STIFF_STEPS: u32 = 50;
+/// Most steps by Newton's method after one that sweeps could not solve: 1 after the first, twice as many each time that
+/// sweeps fail again, half as many each time that they do not. More try sweeps too seldom where stiffness passes, fewer too
+/// often where it does not.
+const STIFF_STEPS: u32 = 64;
 
 /// The workspace of a step.
 pub(crate) struct Core<M: Collocated<T>, T: Packed> {
@@ -65,6 +66,8 @@ pub(crate) struct Core<M: Collocated<T>, T: Packed> {
     pub(super) has_jacobian: bool,
     /// Steps to be solved by Newton's method before sweeps are tried again.
     pub(super) stiff: u32,
+    /// So many after the next step that sweeps cannot solve.
+    pub(super) patience: u32,
 }
 
 impl<M: Collocated<T>, T: Packed> Core<M, T> {
@@ -95,6 +98,7 @@ impl<M: Collocated<T>, T: Packed> Core<M, T> {
             jacobian: [known; 2],
             has_jacobian: false,
             stiff: 0,
+            patience: 1,
         }
     }
 
@@ -188,6 +192,9 @@ impl<M: Collocated<T>, T: Packed> Core<M, T> {
             0 => self.sweep(t, x, weights, floor, false),
             _ => (End::Slow, 0),
         };
+        if end == End::Converged {
+            self.patience = (self.patience / 2).max(1);
+        }
         let mut all = sweeps;
         if end == End::NotFinite {
             // Stages may be beyond what vectors can compute with, where numbers are not.
@@ -199,7 +206,10 @@ impl<M: Collocated<T>, T: Packed> Core<M, T> {
             (end, sweeps) = self.correct(t, x, weights, floor, statistics);
             self.stiff = match self.stiff {
                 _ if end != End::Converged => 0,
-                0 => STIFF_STEPS,
+                0 => {
+                    let more = (2 * self.patience).min(STIFF_STEPS);
+                    core::mem::replace(&mut self.patience, more)
+                }
                 more => more - 1,
             };
         }

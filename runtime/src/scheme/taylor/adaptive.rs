@@ -27,11 +27,15 @@ const GROWTH: f64 = 8.0;
 /// Part of the step that the estimate allows. Less wins digits, more risks them.
 const SAFETY: f64 = 0.95;
 
+/// The order for loose tolerances. An order costs much the same wherever it is, as its sums are in lanes, and the estimate of
+/// a step costs as much as some orders: on the pendulums, lower ones take up to half as long again at errors of 10⁻³.
+const LEAST_ORDER: usize = 18;
+
 /// A run of the continuous equations of the model `M` by their Taylor series, with steps as long as a tolerance allows. The
 /// `h` of the run is the interval of its output, which comes from the series itself.
 ///
 /// The last two terms of a step are within the tolerance: |xₙ,ᵢ| hⁿ ≤ absolute + relative |x₀,ᵢ| for n = p − 1 and p. A step is
-/// found before it is taken, so none is rejected. The order is p = ⌈−¾ ln relative⌉ + 1: between that of least work where
+/// found before it is taken, so none is rejected. The order is p = ⌈−¾ ln relative⌉ + 1, or 18 if that is less: between that of least work where
 /// work is as p² (Jorba and Zou, *Experiment. Math.* 14 (2005), section 3.2: −½ ln ε + 1) and where it is as p (−ln ε), as
 /// sums in lanes have it.
 pub type AdaptiveTaylor<M, T = f64> = Integration<Adaptive<M, T>, T>;
@@ -42,6 +46,8 @@ pub struct Adaptive<M: Series<T>, T: Convolved> {
     /// The interval of the output.
     h: T,
     tolerance: Tolerance<T>,
+    /// 1/n
+    roots: [f64; MOST_ORDER + 1],
     piece: Option<Piece<FlatState<M, T>, T>>,
 }
 
@@ -52,8 +58,10 @@ struct Piece<X, T> {
     /// What rounding has taken from `start`.
     rest: T,
     length: T,
-    /// What the next series should be good for.
+    /// What the next series should be good for, by this one.
     next: T,
+    /// The unit of time of the next series.
+    planned: T,
     /// What the sums of steps have lost of the state at `start` to rounding.
     lost: X,
     /// The state that was given out last: what the next call has to start from.
@@ -78,13 +86,13 @@ impl<M: Series<T>, T: Convolved> AdaptiveTaylor<M, T> {
     }
 }
 
-/// ⌈−¾ ln ε⌉ + 1
+/// ⌈−¾ ln ε⌉ + 1, and no less than [`LEAST_ORDER`].
 fn order_for<T: Convolved>(tolerance: &Tolerance<T>) -> usize {
     let relative = tolerance.relative.to_f64();
     let ln = root::log2(relative.max(f64::MIN_POSITIVE)) * core::f64::consts::LN_2;
     let order = -0.75 * ln + 1.0;
-    // Towards zero, and 2 for NaN.
-    (order as usize + 1).clamp(2, MOST_ORDER)
+    // Towards zero, and the least for NaN.
+    (order as usize + 1).clamp(LEAST_ORDER, MOST_ORDER)
 }
 
 impl<M: Series<T>, T: Convolved> Method<T> for Adaptive<M, T> {
@@ -96,6 +104,7 @@ impl<M: Series<T>, T: Convolved> Method<T> for Adaptive<M, T> {
             expansion: Expansion::new(parameters, order_for(&tolerance)),
             h,
             tolerance,
+            roots: core::array::from_fn(|n| 1.0 / n.max(1) as f64),
             piece: None,
         }
     }
@@ -163,7 +172,7 @@ impl<M: Series<T>, T: Convolved> Adaptive<M, T> {
             self.expansion.forget();
             self.expansion.expand(t, x, unit);
             statistics.flows += 1;
-            let size = self.size(self.expansion.order());
+            let size = self.size();
             if size < LARGEST {
                 break;
             }
@@ -193,10 +202,15 @@ impl<M: Series<T>, T: Convolved> Adaptive<M, T> {
         let (x, lost) = compensated_sums(&start, &change, &piece.lost);
         require_finite(&x)?;
         let (t, rest) = compensated_sum(piece.start, piece.length + piece.rest);
-        self.expansion.expand(t, &x, piece.next);
+        self.expansion.expand(t, &x, piece.planned);
         statistics.flows += 1;
         statistics.accepted += 1;
-        self.piece_at((t, rest), piece.given, lost)
+        let mut made = self.piece_at((t, rest), piece.given, lost)?;
+        // By the series before, so that nothing waits for an estimate; by this one where that was too bold.
+        if made.length == self.expansion.unit() {
+            made.planned = piece.next;
+        }
+        Ok(made)
     }
 
     fn piece_at(
@@ -211,6 +225,7 @@ impl<M: Series<T>, T: Convolved> Adaptive<M, T> {
             rest,
             length,
             next,
+            planned: next,
             lost,
             given,
         })
@@ -218,20 +233,21 @@ impl<M: Series<T>, T: Convolved> Adaptive<M, T> {
 
     /// How far from `t` the series is used, and the next one should be. That is one unit of time where the series is good
     /// for it, so that the state at its end needs no estimate.
-    #[inline]
+    #[inline(always)]
     fn lengths(&self, t: T) -> Result<(T, T), Fault> {
-        let (p, unit) = (self.expansion.order(), self.expansion.unit());
-        let last = root::root(self.size(p), p);
-        let before = root::root(self.size(p - 1), p - 1);
-        let theta = last.min(before).min(GROWTH);
+        let unit = self.expansion.unit();
+        let size = self.size();
+        // Near 1, both roots are the same; far from it, the one that gives less.
+        let highest = self.expansion.order();
+        let order = if size < 1.0 { highest } else { highest - 1 };
+        let theta = root::root(size, self.roots[order]).min(GROWTH);
         let next = unit * T::constant(theta * SAFETY);
-        let length = if theta < 1.0 {
-            unit * T::constant(theta)
-        } else {
+        let length = if size <= 1.0 {
             unit
+        } else {
+            unit * T::constant(theta)
         };
-        let is_sound = !last.is_nan() && !before.is_nan();
-        if is_sound && length.is_finite() && t + length != t && t + next != t {
+        if size.is_finite() && length.is_finite() && t + length != t && t + next != t {
             return Ok((length, next));
         }
         Err(Fault {
@@ -241,20 +257,19 @@ impl<M: Series<T>, T: Convolved> Adaptive<M, T> {
         })
     }
 
-    /// The term of order n as a multiple of the tolerance, in the largest component.
-    #[inline]
-    fn size(&self, n: usize) -> f64 {
+    /// The larger of the last two terms as a multiple of the tolerance, in the largest component. NaN stays.
+    #[inline(always)]
+    fn size(&self) -> f64 {
         let coefficients = self.expansion.coefficients();
-        let pairs = coefficients[n]
-            .as_ref()
-            .iter()
-            .zip(coefficients[0].as_ref());
+        let p = self.expansion.order();
         let mut largest = 0.0;
-        for (term, x) in pairs {
-            let tolerance = self.tolerance.of(*x, *x);
-            let size = (term.abs() / tolerance).to_f64();
-            // NaN stays.
-            largest = if size <= largest { largest } else { size };
+        for i in 0..coefficients[0].as_ref().len() {
+            let x = coefficients[0].as_ref()[i];
+            let scale = T::constant(1.0) / self.tolerance.of(x, x);
+            for n in [p - 1, p] {
+                let size = (coefficients[n].as_ref()[i].abs() * scale).to_f64();
+                largest = if size <= largest { largest } else { size };
+            }
         }
         largest
     }

@@ -1,16 +1,16 @@
-//! `residua bench`: what a step costs.
+//! `residua bench steps`: what a step costs.
 
 use crate::failure::Failure;
 use crate::table::Table;
 use crate::values;
-use clap::{Args, Subcommand};
+use clap::Args;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use residua::erased::{AnySolver, Run};
 use residua::{Catalogued, Fleet, Settings, Strategy};
+use residua_models::race::{Lane, Unfair, race};
 use residua_models::{SCENES, find};
 use std::ops::ControlFlow;
 use std::sync::Mutex;
-use std::time::Instant;
 
 /// Trajectories of an ensemble: some groups.
 const TRAJECTORIES: usize = 128;
@@ -21,22 +21,10 @@ const APART: f64 = 1e-6;
 /// Largest difference of end states, relative to the largest component: nobody wins by doing less.
 const AGREEMENT: f64 = 1e-6;
 
-/// Time what Residua does
-#[derive(Args)]
-pub struct Bench {
-    #[command(subcommand)]
-    what: What,
-}
-
-#[derive(Subcommand)]
-enum What {
-    Steps(Steps),
-}
-
 /// Time a step of models and scenes: with all unknowns, with the core, and in an ensemble on one thread. For rivals see
 /// `cargo bench -p residua-tests`
 #[derive(Args)]
-struct Steps {
+pub struct Steps {
     /// Models and scenes from `residua list` [default: all scenes]
     names: Vec<String>,
     /// Time step h
@@ -50,25 +38,9 @@ struct Steps {
     rounds: u64,
 }
 
-impl Bench {
+impl Steps {
     /// Times them.
     pub fn run(self) -> Result<(), Failure> {
-        let What::Steps(steps) = self.what;
-        steps.run()
-    }
-}
-
-/// One way to make the runs.
-struct Lane<'a> {
-    name: &'static str,
-    /// Makes them and returns the end state of the first.
-    run: Box<dyn Fn() -> Result<Vec<f64>, Failure> + 'a>,
-    runs: usize,
-    seconds: Vec<f64>,
-}
-
-impl Steps {
-    fn run(self) -> Result<(), Failure> {
         if !(self.step.is_finite() && self.step > 0.0) {
             let message = format!("the step is {}, not a positive number", self.step);
             return Err(Failure::input(message));
@@ -103,36 +75,30 @@ impl Steps {
             let (parameters, start) = (&parameters, &start);
             move || self.alone(solver, parameters, start, strategy)
         };
+        let steps = self.steps as f64;
         let mut lanes = [
-            Lane::new("all unknowns", 1, alone(Strategy::Full)),
-            Lane::new("core", 1, alone(Strategy::Core)),
-            Lane::new("ensemble", TRAJECTORIES, || {
+            Lane::new("all unknowns", steps, alone(Strategy::Full)),
+            Lane::new("core", steps, alone(Strategy::Core)),
+            Lane::new("ensemble", steps * TRAJECTORIES as f64, || {
                 one.install(|| self.together(solver, &parameters, &start))
             }),
         ];
-        let first = (lanes[0].run)()?;
-        let size = first.iter().fold(1.0, |size: f64, x| size.max(x.abs()));
-        for lane in &lanes {
-            let end = (lane.run)()?;
-            // Written so that a NaN fails.
-            let agrees = |(a, b): (&f64, &f64)| (a - b).abs() <= AGREEMENT * size;
-            if !first.iter().zip(&end).all(agrees) {
-                let (name, lane) = (model.description.name, lane.name);
-                let message = format!("{name}: {lane} and {} end differently", lanes[0].name);
-                return Err(Failure::Run(message));
+        let name = model.description.name;
+        let paces = race(&mut lanes, AGREEMENT, self.rounds).map_err(|unfair| match unfair {
+            Unfair::Failed(failure) => failure,
+            Unfair::Differs(lane) => {
+                let lanes = ["all unknowns", "core", "ensemble"];
+                let [first, lane] = [lanes[0], lanes[lane]];
+                Failure::Run(format!("{name}: {lane} and {first} end differently"))
             }
-        }
-        for _ in 0..self.rounds {
-            lanes.iter_mut().try_for_each(Lane::time)?;
-        }
-        let slowest = lanes[0].quantile(0.5, self.steps);
-        for lane in &lanes {
-            let [low, median, high] = [0.25, 0.5, 0.75].map(|q| lane.quantile(q, self.steps));
+        })?;
+        for pace in &paces {
+            let [low, median, high] = [pace.low, pace.median, pace.high].map(|time| time * 1e9);
             table.row([
-                model.description.name.to_owned(),
+                name.to_owned(),
                 solver.solver().form.to_owned(),
-                lane.name.to_owned(),
-                format!("{:.2}", slowest / median),
+                pace.name.clone(),
+                format!("{:.2}", paces[0].median / pace.median),
                 format!("{median:.1}"),
                 format!("{low:.1} to {high:.1}"),
             ]);
@@ -203,35 +169,5 @@ impl Steps {
             Some(error) => Err(Failure::Run(error.to_string())),
             None => Ok(end.into_inner().unwrap_or_else(|e| e.into_inner())),
         }
-    }
-}
-
-impl<'a> Lane<'a> {
-    fn new(
-        name: &'static str,
-        runs: usize,
-        run: impl Fn() -> Result<Vec<f64>, Failure> + 'a,
-    ) -> Self {
-        Self {
-            name,
-            run: Box::new(run),
-            runs,
-            seconds: Vec::new(),
-        }
-    }
-
-    fn time(&mut self) -> Result<(), Failure> {
-        let clock = Instant::now();
-        std::hint::black_box((self.run)()?);
-        self.seconds.push(clock.elapsed().as_secs_f64());
-        Ok(())
-    }
-
-    /// The `share`-th part of the sorted times, ns per step of one run.
-    fn quantile(&self, share: f64, steps: u64) -> f64 {
-        let mut sorted = self.seconds.clone();
-        sorted.sort_by(f64::total_cmp);
-        let at = (share * (sorted.len() - 1) as f64).round() as usize;
-        sorted[at] / (self.runs as f64 * steps as f64) * 1e9
     }
 }
