@@ -44,10 +44,14 @@ pub trait Method<T: Real> {
     ) -> u64 {
         0
     }
-    /// The corrections of the last step.
-    fn history(&self) -> History;
-    /// The equations that faults refer to, for implicit methods.
-    fn solver() -> Option<&'static Solver>;
+    /// The corrections of the last step: none for methods without Newton's.
+    fn history(&self) -> History {
+        History::default()
+    }
+    /// The equations that faults refer to, for methods that solve those of the model.
+    fn solver() -> Option<&'static Solver> {
+        None
+    }
 }
 
 /// A run of a model from a start state, with a fixed step: a [`Stepper`](crate::Stepper) or a

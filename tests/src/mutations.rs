@@ -121,7 +121,7 @@ pub const ALL: &[Mutation] = &[
     // How a step moves the state on.
     mutation("a failed step leaves the state", STEPPER, "require_finite(&next)?;\n        (*state, *lost) = (next, lost_then);", "(*state, *lost) = (next, lost_then);\n        require_finite(&next)?;"),
     mutation("what is eliminated must be known", STEPPER, "if !(is_known && is_trusted::<S, T>(scene, &step, &x)) {", "if false {"),
-    mutation("sums of increments remember their rounding", STEPPER, "return compensated_sum(state, &change, lost);", "return (compensated_sum(state, &change, lost).0, *lost);"),
+    mutation("sums of increments remember their rounding", STEPPER, "return compensated_sums(state, &change, lost);", "return (compensated_sums(state, &change, lost).0, *lost);"),
     mutation("without `update` the state becomes x[k+1]", CONTEXT, "None => next.extend(self.at_level(i, Level::Next).entries)", "None => next.extend(self.at_level(i, Level::Half).entries)"),
     mutation("with `update` it becomes that", CONTEXT, "Some(update) => next.extend(self.components(update, state.variable.shape))", "Some(_) => next.extend(self.known(i).entries)"),
     mutation("a change is what is added", "codegen/src/change.rs", "is_sum.then(|| dag.sub(next, known))", "is_sum.then(|| dag.add(next, known))"),

@@ -4,7 +4,6 @@ use super::Tolerance;
 use super::Variable;
 use super::rates;
 use crate::compensated::compensated_sum;
-use crate::description::Solver;
 use crate::error::Failure;
 use crate::error::Fault;
 use crate::error::Place;
@@ -13,7 +12,6 @@ use crate::integration::Integration;
 use crate::integration::Method;
 use crate::model::Flow;
 use crate::model::Model;
-use crate::report::History;
 use crate::report::Report;
 use crate::report::Statistics;
 use crate::scalar::Real;
@@ -128,14 +126,6 @@ impl<V: Variable<T>, T: Real> Method<T> for Controlled<V, T> {
         };
         self.given = Some((target, *x));
         Ok(Report::converged(iterations))
-    }
-
-    fn history(&self) -> History {
-        History::default()
-    }
-
-    fn solver() -> Option<&'static Solver> {
-        None
     }
 }
 

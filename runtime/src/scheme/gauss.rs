@@ -7,7 +7,6 @@ mod tableau;
 mod variable;
 mod workspace;
 
-use crate::description::Solver;
 use crate::error::Fault;
 use crate::integration::FlatState;
 use crate::integration::Integration;
@@ -17,7 +16,6 @@ use crate::model::Model;
 use crate::model::Record;
 use crate::packed::Pack;
 use crate::packed::Packed;
-use crate::report::History;
 use crate::report::Report;
 use crate::report::Statistics;
 use crate::scalar::Real;
@@ -84,14 +82,6 @@ impl<M: Collocated<T>, const S: usize, T: Packed> Method<T> for Collocation<M, S
         statistics: &mut Statistics,
     ) -> Result<Report, Fault> {
         self.core.advance(t, x, self.h, statistics)
-    }
-
-    fn history(&self) -> History {
-        History::default()
-    }
-
-    fn solver() -> Option<&'static Solver> {
-        None
     }
 }
 

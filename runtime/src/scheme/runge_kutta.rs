@@ -1,14 +1,12 @@
 //! The explicit baseline: the classical Runge–Kutta method.
 
 use super::rates;
-use crate::description::Solver;
 use crate::error::Fault;
 use crate::integration::FlatState;
 use crate::integration::Integration;
 use crate::integration::Method;
 use crate::integration::require_finite;
 use crate::model::Flow;
-use crate::report::History;
 use crate::report::Report;
 use crate::report::Statistics;
 use crate::scalar::Real;
@@ -58,14 +56,6 @@ impl<M: Flow<T>, T: Real> Method<T> for Explicit<M, T> {
         require_finite(&next)?;
         *x = next;
         Ok(Report::converged(0))
-    }
-
-    fn history(&self) -> History {
-        History::default()
-    }
-
-    fn solver() -> Option<&'static Solver> {
-        None
     }
 }
 

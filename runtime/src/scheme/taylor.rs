@@ -10,7 +10,6 @@ pub use expansion::Expansion;
 
 use crate::compensated::compensated_sums;
 use crate::convolution::Convolved;
-use crate::description::Solver;
 use crate::error::Fault;
 use crate::integration::FlatState;
 use crate::integration::Integration;
@@ -18,7 +17,6 @@ use crate::integration::Method;
 use crate::integration::require_finite;
 use crate::model::Record;
 use crate::model::Series;
-use crate::report::History;
 use crate::report::Report;
 use crate::report::Statistics;
 
@@ -83,13 +81,5 @@ impl<M: Series<T>, T: Convolved> Method<T> for Taylor<M, T> {
         }
         (*x, self.lost) = (sum, lost);
         Ok(Report::converged(0))
-    }
-
-    fn history(&self) -> History {
-        History::default()
-    }
-
-    fn solver() -> Option<&'static Solver> {
-        None
     }
 }

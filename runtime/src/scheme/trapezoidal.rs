@@ -3,14 +3,12 @@
 use super::gauss::Coefficients;
 use super::gauss::Collocated;
 use super::gauss::Core;
-use crate::description::Solver;
 use crate::error::Fault;
 use crate::integration::FlatState;
 use crate::integration::Integration;
 use crate::integration::Method;
 use crate::model::Model;
 use crate::packed::Packed;
-use crate::report::History;
 use crate::report::Report;
 use crate::report::Statistics;
 
@@ -42,13 +40,5 @@ impl<M: Collocated<T>, T: Packed> Method<T> for Ends<M, T> {
         statistics: &mut Statistics,
     ) -> Result<Report, Fault> {
         self.core.advance(t, x, self.h, statistics)
-    }
-
-    fn history(&self) -> History {
-        History::default()
-    }
-
-    fn solver() -> Option<&'static Solver> {
-        None
     }
 }

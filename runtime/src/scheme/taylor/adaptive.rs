@@ -6,7 +6,6 @@ use super::root;
 use crate::compensated::compensated_sum;
 use crate::compensated::compensated_sums;
 use crate::convolution::Convolved;
-use crate::description::Solver;
 use crate::error::Failure;
 use crate::error::Fault;
 use crate::error::Place;
@@ -15,7 +14,6 @@ use crate::integration::Integration;
 use crate::integration::Method;
 use crate::integration::require_finite;
 use crate::model::Series;
-use crate::report::History;
 use crate::report::Report;
 use crate::report::Statistics;
 use crate::scheme::Tolerance;
@@ -132,14 +130,6 @@ impl<M: Series<T>, T: Convolved> Method<T> for Adaptive<M, T> {
         piece.given = *x;
         self.piece = Some(piece);
         Ok(Report::converged(0))
-    }
-
-    fn history(&self) -> History {
-        History::default()
-    }
-
-    fn solver() -> Option<&'static Solver> {
-        None
     }
 }
 
