@@ -231,42 +231,41 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
     /// backward error of Oettli and Prager, 1964). It tells noise from corrections that do not shrink because
     /// Newton's method fails.
     fn residual_is_rounding(&self, known: &[T]) -> bool {
-        let (r, j) = (self.r.as_ref(), self.j.entries());
         let rounding = T::constant(ROUNDING) * T::EPSILON;
-        r.iter()
-            .zip(j.chunks_exact(r.len().max(1)))
-            .all(|(r, row)| {
-                let mut terms = T::constant(0.0);
-                for (unknowns, scale) in self.blocks(known) {
-                    let entries = row.iter().take(unknowns.end).skip(unknowns.start);
-                    for entry in entries {
-                        terms = terms + entry.abs() * scale;
-                    }
-                }
-                r.abs() <= rounding * terms
-            })
+        let r = self.r.as_ref().iter();
+        r.zip(self.rows())
+            .all(|(r, row)| r.abs() <= rounding * self.terms(row, known))
     }
 
-    /// Whether every block is known to ten digits, or so small that no equation feels it: an unknown that is 0 but for
-    /// rounding has no digits and needs none.
+    /// Whether no equation feels what is still corrected in more than the last six digits of its terms. Where the Jacobian is
+    /// nearly singular, rounding of the residual moves unknowns by more.
     fn is_determined(&self, correction: &S::Unknowns, known: &[T]) -> bool {
         let digits = most_growth::<T>() * T::EPSILON;
-        let rounding = T::constant(ROUNDING) * T::EPSILON;
-        let n = self.r.as_ref().len().max(1);
-        self.blocks(known).all(|(unknowns, scale)| {
-            let part = |row: &[T], unknowns: Range<usize>, scale| {
-                let entries = row.iter().take(unknowns.end).skip(unknowns.start);
-                entries.fold(T::constant(0.0), |sum, entry| sum + entry.abs() * scale)
-            };
-            let is_felt = self.j.entries().chunks_exact(n).any(|row| {
-                let all = self.blocks(known);
-                let terms = all.fold(T::constant(0.0), |sum, (unknowns, scale)| {
-                    sum + part(row, unknowns, scale)
-                });
-                part(row, unknowns.clone(), scale) > rounding * terms
+        self.rows().all(|row| {
+            let pairs = row.iter().zip(correction.as_ref());
+            let felt = pairs.fold(T::constant(0.0), |sum, (entry, c)| {
+                sum + entry.abs() * c.abs()
             });
-            !is_felt || largest_of(correction.as_ref(), &unknowns) <= digits * scale
+            felt <= digits * self.terms(row, known)
         })
+    }
+
+    /// The rows of the Jacobian.
+    fn rows(&self) -> impl Iterator<Item = &[T]> {
+        let n = self.r.as_ref().len().max(1);
+        self.j.entries().chunks_exact(n)
+    }
+
+    /// The size of the terms of an equation with this row of the Jacobian, each unknown as large as its block.
+    fn terms(&self, row: &[T], known: &[T]) -> T {
+        let mut terms = T::constant(0.0);
+        for (unknowns, scale) in self.blocks(known) {
+            let entries = row.iter().take(unknowns.end).skip(unknowns.start);
+            for entry in entries {
+                terms = terms + entry.abs() * scale;
+            }
+        }
+        terms
     }
 
     /// The blocks of unknowns, each with its scale: the largest |x| in the block and in the state it advances.
