@@ -37,10 +37,10 @@ const LADDERS: Ladders = Ladders {
     tolerances: (1e-3, 1e-13),
 };
 
-/// A page is made in a minute: a fifth of the runs of `residua bench precision`, and short ones.
+/// A page is made in a minute: few of the runs of `residua bench precision`, and short ones.
 const BUDGET: Budget = Budget {
-    runs: 4,
-    together: 0.01,
+    runs: 3,
+    together: 0.004,
     longest: 0.003,
 };
 
