@@ -57,6 +57,13 @@ impl AnySolver for Off<'_> {
             })
         })
     }
+    fn simulate_in_single(
+        &self,
+        run: &Run,
+        observer: &mut Observer,
+    ) -> Result<Statistics, RunError> {
+        self.solver.simulate_in_single(run, observer)
+    }
     fn fly(&self, fleet: &Fleet) -> Result<Vec<Outcome>, InvalidRun> {
         self.solver.fly(fleet)
     }

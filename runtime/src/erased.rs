@@ -9,6 +9,8 @@ mod model;
 mod scheme;
 mod series;
 mod simulate;
+#[cfg(feature = "single")]
+mod single;
 mod solver;
 
 pub use flow::AnyFlow;

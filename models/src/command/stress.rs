@@ -6,7 +6,10 @@ use crate::table::Table;
 use clap::Args;
 use indicatif::{ParallelProgressIterator, ProgressBar};
 use rayon::prelude::*;
-use residua_models::stress::{Case, Kind, Twin, Verdict, Wrong, cases, judge, twins};
+use residua::erased::AnySolver;
+use residua_models::stress::{
+    Case, Kind, Twin, Verdict, Wrong, cases, judge, judge_in_single, twins,
+};
 use residua_models::{CATALOGUE, Entry, SCENES, find};
 use std::io::{self, IsTerminal};
 
@@ -33,6 +36,9 @@ pub struct Stress {
     short: bool,
 }
 
+/// Columns of the table: a kind in `f64` each, and all kinds in `f32`.
+const COLUMNS: usize = Kind::ALL.len() + 1;
+
 /// What came of the runs of one kind.
 #[derive(Clone, Copy, Default)]
 struct Tally {
@@ -52,7 +58,7 @@ impl Stress {
         }
         let mut headings = vec!["model", "runs"];
         headings.extend(Kind::ALL.map(Kind::name));
-        headings.push("wrong");
+        headings.extend(["f32", "wrong"]);
         let mut table = Table::new(&headings);
         let bar = match io::stderr().is_terminal() {
             true => ProgressBar::new(entries.len() as u64),
@@ -102,7 +108,7 @@ impl Stress {
     fn judge<'e>(&self, entry: &'e Entry) -> Judged<'e> {
         let mut judged = Judged {
             entry,
-            tallies: [Tally::default(); Kind::ALL.len()],
+            tallies: [Tally::default(); COLUMNS],
             found: Vec::new(),
         };
         let random = if self.short { FEW_RANDOM } else { RANDOM };
@@ -121,16 +127,24 @@ impl Stress {
 
 struct Judged<'e> {
     entry: &'e Entry,
-    tallies: [Tally; Kind::ALL.len()],
+    tallies: [Tally; COLUMNS],
     /// The wrong steps.
     found: Vec<String>,
 }
 
 impl Judged<'_> {
-    fn take(&mut self, solver: &dyn residua::erased::AnySolver, twin: &Twin, case: &Case) {
+    /// Makes a run in `f64` and in `f32`.
+    fn take(&mut self, solver: &dyn AnySolver, twin: &Twin, case: &Case) {
         let column = Kind::ALL.iter().position(|kind| *kind == case.kind);
-        let tally = &mut self.tallies[column.unwrap_or_default()];
-        match judge(solver, twin, case, STEPS) {
+        let verdict = judge(solver, twin, case, STEPS);
+        self.count(column.unwrap_or_default(), solver, case, verdict);
+        let verdict = judge_in_single(solver, twin, case, STEPS);
+        self.count(COLUMNS - 1, solver, case, verdict);
+    }
+
+    fn count(&mut self, column: usize, solver: &dyn AnySolver, case: &Case, verdict: Verdict) {
+        let tally = &mut self.tallies[column];
+        match verdict {
             Verdict::Right => tally.right += 1,
             Verdict::Refused => tally.refused += 1,
             Verdict::Open => tally.open += 1,

@@ -4,6 +4,7 @@
 //! double-double numbers, from the state that it began with.
 
 mod cases;
+mod format;
 mod running;
 mod twin;
 
@@ -15,7 +16,9 @@ use std::sync::PoisonError;
 use residua::Fleet;
 use residua::RunError;
 use residua::Settings;
+use residua::Statistics;
 use residua::erased::AnySolver;
+use residua::erased::Observer;
 use residua::erased::Point;
 use residua::erased::Run;
 
@@ -24,6 +27,7 @@ use crate::Entry;
 pub use cases::Case;
 pub use cases::Kind;
 pub use cases::cases;
+pub use format::Format;
 pub use twin::Exact;
 pub use twin::Twin;
 use twin::off;
@@ -58,8 +62,8 @@ pub struct Wrong {
 
 /// Makes the run of `case`, `steps` long, by itself and as an ensemble of one, and tells what was the worse.
 pub fn judge(solver: &dyn AnySolver, twin: &Twin, case: &Case, steps: u64) -> Verdict {
-    let alone = judge_run(solver, twin, case, &alone(solver, case, steps));
-    let together = judge_run(solver, twin, case, &together(solver, case, steps));
+    let [alone, together] = [alone(solver, case, steps), together(solver, case, steps)]
+        .map(|made| judge_run(solver, twin, Format::Double, case, &made));
     let severity = |verdict: &Verdict| match verdict {
         Verdict::Right => 0,
         Verdict::Refused => 1,
@@ -72,14 +76,39 @@ pub fn judge(solver: &dyn AnySolver, twin: &Twin, case: &Case, steps: u64) -> Ve
     }
 }
 
+/// Makes the run in `f32`, with the numbers of `case` rounded to it.
+pub fn judge_in_single(solver: &dyn AnySolver, twin: &Twin, case: &Case, steps: u64) -> Verdict {
+    let format = Format::Single;
+    let nearest = |values: &[f64]| values.iter().map(|x| format.nearest(*x)).collect();
+    let case = Case {
+        kind: case.kind,
+        parameters: nearest(&case.parameters),
+        start: nearest(&case.start),
+        h: format.nearest(case.h),
+    };
+    let made = alone_by(&case, steps, |run, observer| {
+        solver.simulate_in_single(run, observer)
+    });
+    judge_run(solver, twin, format, &case, &made)
+}
+
 /// A run that was made.
 struct Made {
+    times: Vec<f64>,
     states: Vec<Vec<f64>>,
     error: Option<RunError>,
 }
 
 fn alone(solver: &dyn AnySolver, case: &Case, steps: u64) -> Made {
-    let mut states = Vec::new();
+    alone_by(case, steps, |run, observer| solver.simulate(run, observer))
+}
+
+fn alone_by(
+    case: &Case,
+    steps: u64,
+    simulate: impl Fn(&Run, &mut Observer) -> Result<Statistics, RunError>,
+) -> Made {
+    let (mut times, mut states) = (Vec::new(), Vec::new());
     let run = Run {
         parameters: &case.parameters,
         start: &case.start,
@@ -89,12 +118,17 @@ fn alone(solver: &dyn AnySolver, case: &Case, steps: u64) -> Made {
         every: 1,
         settings: Settings::default(),
     };
-    let outcome = solver.simulate(&run, &mut |sample| {
+    let outcome = simulate(&run, &mut |sample| {
+        times.push(sample.t);
         states.push(sample.state.to_vec());
         ControlFlow::Continue(())
     });
     let error = outcome.err();
-    Made { states, error }
+    Made {
+        times,
+        states,
+        error,
+    }
 }
 
 fn together(solver: &dyn AnySolver, case: &Case, steps: u64) -> Made {
@@ -112,7 +146,7 @@ fn together(solver: &dyn AnySolver, case: &Case, steps: u64) -> Made {
         settings: Settings::default(),
         observer: &|_, sample| {
             let mut shown = shown.lock().unwrap_or_else(PoisonError::into_inner);
-            shown.insert(sample.step, sample.state.to_vec());
+            shown.insert(sample.step, (sample.t, sample.state.to_vec()));
         },
     };
     let error = match solver.fly(&fleet) {
@@ -120,12 +154,26 @@ fn together(solver: &dyn AnySolver, case: &Case, steps: u64) -> Made {
         Err(invalid) => Some(invalid.into()),
     };
     let shown = shown.into_inner().unwrap_or_else(PoisonError::into_inner);
-    let states = shown.into_values().collect();
-    Made { states, error }
+    let (times, states) = shown.into_values().unzip();
+    Made {
+        times,
+        states,
+        error,
+    }
 }
 
-fn judge_run(solver: &dyn AnySolver, twin: &Twin, case: &Case, made: &Made) -> Verdict {
-    let Made { states, error } = made;
+fn judge_run(
+    solver: &dyn AnySolver,
+    twin: &Twin,
+    format: Format,
+    case: &Case,
+    made: &Made,
+) -> Verdict {
+    let Made {
+        times,
+        states,
+        error,
+    } = made;
     if case.kind == Kind::NotFinite && !matches!(error, Some(RunError::Invalid(_))) {
         return Verdict::Wrong(Wrong {
             step: 0,
@@ -140,10 +188,10 @@ fn judge_run(solver: &dyn AnySolver, twin: &Twin, case: &Case, made: &Made) -> V
         let at = Point {
             parameters: &case.parameters,
             h: case.h,
-            t: step as f64 * case.h,
+            t: times[step],
             state: &pair[0],
         };
-        match twin.step(solver, &at, &pair[1]) {
+        match twin.step(solver, format, &at, &pair[1]) {
             Some(exact) => {
                 if let Some(wrong) = wrong(step as u64, &pair[1], &exact) {
                     return Verdict::Wrong(wrong);

@@ -1,95 +1,131 @@
-//! Numbers of `f64` that know how far they may be off: a running error analysis (Wilkinson, 1963; Higham, *Accuracy and
+//! Numbers that know how far rounding may have taken them: a running error analysis (Wilkinson, 1963; Higham, *Accuracy and
 //! Stability of Numerical Algorithms*, section 3.3).
 
 use std::ops::Add;
 use std::ops::Mul;
 
+use residua::Real;
 use residua_codegen::dag::Elementary;
 use residua_codegen::dag::Number;
 
 /// Units of rounding of an elementary function, more than those of any that is used here.
 const FUNCTION: f64 = 4.0;
 
-/// A value and a bound of its error to first order, whatever the order of sums and products it came from.
-#[derive(Clone, Copy, Debug)]
-pub struct Running {
-    /// In `f64`.
-    pub value: f64,
-    /// How far it may be from what it would be without rounding.
-    pub error: f64,
+/// `f64` and `f32`.
+pub trait Finite: Real {
+    /// The least positive number that has all its digits.
+    const LEAST: Self;
 }
 
-impl Running {
-    /// A number that is what it is.
+impl Finite for f64 {
+    const LEAST: Self = Self::MIN_POSITIVE;
+}
+
+impl Finite for f32 {
+    const LEAST: Self = Self::MIN_POSITIVE;
+}
+
+/// A value and a bound of its error to first order, whatever the order of sums and products it came from.
+#[derive(Clone, Copy, Debug)]
+pub struct Running<T> {
+    /// As computed.
+    pub value: T,
+    /// How far it may be from what it would be without rounding.
+    pub error: T,
+}
+
+impl<T: Finite> Running<T> {
+    /// The number nearest to `value`, as what is meant.
     pub fn exact(value: f64) -> Self {
-        Self { value, error: 0.0 }
+        Self {
+            value: T::constant(value),
+            error: T::constant(0.0),
+        }
     }
 }
 
-impl Add for Running {
+impl<T: Finite> Add for Running<T> {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
         let terms = self.value.abs() + other.value.abs();
         Self {
             value: self.value + other.value,
-            error: self.error + other.error + f64::EPSILON * terms,
+            error: self.error + other.error + T::EPSILON * terms,
         }
     }
 }
 
-impl Mul for Running {
+impl<T: Finite> Mul for Running<T> {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
         let (a, b) = (self.value.abs(), other.value.abs());
         Self {
             value: self.value * other.value,
-            error: a * other.error + b * self.error + f64::EPSILON * a * b,
+            error: a * other.error + b * self.error + T::EPSILON * a * b + lost(a, b),
         }
     }
 }
 
-impl Number for Running {
+/// What a product may lose that is too small for its digits: nothing where a factor is 0.
+fn lost<T: Finite>(a: T, b: T) -> T {
+    let zero = T::constant(0.0);
+    if a == zero || b == zero {
+        return zero;
+    }
+    T::EPSILON * T::LEAST
+}
+
+impl<T: Finite> Number for Running<T> {
     fn constant(high: f64, low: f64) -> Self {
+        let value = T::constant(high);
         Self {
-            value: high,
-            error: low.abs(),
+            value,
+            error: T::constant((high - value.to_f64()).abs() + low.abs()),
         }
     }
 
     fn power(self, exponent: i32) -> Self {
-        let value = self.value.powi(exponent);
-        let times = f64::from(exponent.unsigned_abs());
-        let rounding = times * f64::EPSILON * value.abs();
+        let power = |exponent| T::constant(self.value.to_f64().powi(exponent));
+        let value = power(exponent);
+        let times = T::constant(f64::from(exponent.unsigned_abs()));
+        let zero = T::constant(0.0);
         // n xⁿ⁻¹ times the error of x, where it has one.
-        let inherited = match self.error {
-            0.0 => 0.0,
-            error => times * self.value.powi(exponent - 1).abs() * error,
+        let inherited = match self.error == zero {
+            true => zero,
+            false => times * power(exponent - 1).abs() * self.error,
         };
-        Self {
-            value,
-            error: if exponent == 1 {
-                inherited
-            } else {
-                inherited + rounding
-            },
+        if exponent == 1 {
+            let error = inherited;
+            return Self { value, error };
         }
+        // The inverse of a power beyond all numbers is 0.
+        let lost = if exponent < 0 {
+            T::LEAST
+        } else {
+            lost(value, value)
+        };
+        let error = inherited + times * T::EPSILON * value.abs() + lost;
+        Self { value, error }
     }
 
     fn call(function: Elementary, x: Self, y: Option<Self>) -> Self {
         let at = |x: f64, y: Option<f64>| f64::call(function, x, y);
-        let (x_value, y_value) = (x.value, y.map(|y| y.value));
+        let (x_value, y_value) = (x.value.to_f64(), y.map(|y| y.value.to_f64()));
         let value = at(x_value, y_value);
-        let mut error = FUNCTION * f64::EPSILON * value.abs();
+        let mut error = FUNCTION * T::EPSILON.to_f64() * value.abs();
         // How much it changes over the error of an argument; NaN beyond the domain, which is no bound.
         for sign in [-1.0, 1.0] {
-            error += (at(x_value + sign * x.error, y_value) - value).abs();
-            if let Some(y) = y {
-                error += (at(x_value, Some(y.value + sign * y.error)) - value).abs();
+            error += (at(x_value + sign * x.error.to_f64(), y_value) - value).abs();
+            if let (Some(y), Some(y_value)) = (y, y_value) {
+                error += (at(x_value, Some(y_value + sign * y.error.to_f64())) - value).abs();
             }
         }
-        Self { value, error }
+        Self {
+            value: T::constant(value),
+            error: T::constant(error),
+        }
     }
 }
 
@@ -116,13 +152,30 @@ mod tests {
     }
 
     #[test]
+    fn the_bound_holds_and_is_not_much_too_large_in_single_precision() {
+        let mut rng = StdRng::seed_from_u64(7);
+        let mut share = 0.0_f64;
+        for _ in 0..10_000 {
+            let values = [(); 3].map(|()| f64::from(rng.random_range(-30.0..30.0_f32)));
+            let exact = expression(Double::from, values)[0].to_f64();
+            for found in expression(Running::<f32>::exact, values) {
+                let (value, error) = (f64::from(found.value), f64::from(found.error));
+                let off = (value - exact).abs();
+                assert!(off <= error, "{values:?}: {off:e} {found:?}");
+                share = share.max(off / error);
+            }
+        }
+        assert!(share > 0.05, "{share}");
+    }
+
+    #[test]
     fn the_bound_holds_and_is_not_much_too_large() {
         let mut rng = StdRng::seed_from_u64(7);
         let mut share = 0.0_f64;
         for _ in 0..10_000 {
             let values = [(); 3].map(|()| rng.random_range(-30.0..30.0_f64));
             let exact = expression(Double::from, values)[0];
-            for found in expression(Running::exact, values) {
+            for found in expression(Running::<f64>::exact, values) {
                 let off = (Double::from(found.value) - exact).to_f64().abs();
                 assert!(off <= found.error, "{values:?}: {off:e} {found:?}");
                 share = share.max(off / found.error);

@@ -22,6 +22,7 @@ use residua_codegen::source::read_source;
 use residua_codegen::system::System;
 use residua_codegen::{analyse, analyse_scene};
 
+use super::format::Format;
 use super::running::Running;
 use crate::Entry;
 use crate::columns::size;
@@ -43,15 +44,6 @@ const STARTS: usize = 12;
 /// A start this close, relative, is refined; half of the digits of `f64`, also for difference quotients.
 const NEAR: f64 = 1.5e-8;
 
-/// Newton's method may stop at a correction of that size relative to a block, see `Settings::tolerance`.
-const TOLERANCE: f64 = 1e-12;
-
-/// ε times the size of its terms is the rounding of a residual (Higham, section 4.2): 64 terms.
-const ROUNDING: f64 = 64.0 * f64::EPSILON;
-
-/// Where unknowns are eliminated, a few roundings may each grow by 1e6 before the elimination is given up.
-const ELIMINATED: f64 = 4e6 * f64::EPSILON;
-
 /// A solver as graphs.
 pub struct Twin {
     states: &'static [Variable],
@@ -59,7 +51,8 @@ pub struct Twin {
     unknowns: &'static [Unknown],
     is_increment: bool,
     residual: Tape<Double>,
-    running: Tape<Running>,
+    running: Tape<Running<f64>>,
+    running_in_single: Tape<Running<f32>>,
     next: Tape<Double>,
 }
 
@@ -67,7 +60,7 @@ pub struct Twin {
 pub struct Exact {
     /// The state after it.
     pub next: Vec<Double>,
-    /// How far `f64` may be from that, by component.
+    /// How far the format may be from that, by component.
     pub bound: Vec<f64>,
 }
 
@@ -85,6 +78,7 @@ impl Twin {
             is_increment: form == "increment",
             residual: system.dag.tape_of(&system.residual),
             running: system.dag.tape_of(&system.residual),
+            running_in_single: system.dag.tape_of(&system.residual),
             next: system.dag.tape_of(&system.next),
         })
     }
@@ -94,21 +88,27 @@ impl Twin {
     /// Equations may have several. That of unknowns of the model's own is looked for from their guess first, and
     /// where that one ends elsewhere, from where they fit `ended` best. If there are several and none ends there, there
     /// is no telling.
-    pub fn step(&self, solver: &dyn AnySolver, at: &Point, ended: &[f64]) -> Option<Exact> {
+    pub fn step(
+        &self,
+        solver: &dyn AnySolver,
+        format: Format,
+        at: &Point,
+        ended: &[f64],
+    ) -> Option<Exact> {
         if let Some(x) = self.told(at, ended) {
-            let exact = self.refined(solver, at, x.clone())?;
-            let is_in_doubt = !exact.is_met_by(ended) && self.is_rounding(solver, at, &x);
+            let exact = self.refined(solver, format, at, x.clone())?;
+            let is_in_doubt = !exact.is_met_by(ended) && self.is_rounding(solver, format, at, &x);
             return (!is_in_doubt).then_some(exact);
         }
         let guess = self.guessed(solver, at);
-        let found = guess.and_then(|x| self.refined(solver, at, x))?;
+        let found = guess.and_then(|x| self.refined(solver, format, at, x))?;
         if found.is_met_by(ended) {
             return Some(found);
         }
         let starts = self.around(self.guess(solver, at));
         let fitted = starts.into_iter().filter_map(|start| {
             let x = self.fitted(solver, at, ended, start)?;
-            self.refined(solver, at, x)
+            self.refined(solver, format, at, x)
         });
         let (mut same, mut others) = (0, 0);
         for other in fitted {
@@ -136,7 +136,13 @@ impl Twin {
     }
 
     /// The solution near `x` in 31 digits.
-    fn refined(&self, solver: &dyn AnySolver, at: &Point, mut x: Vec<Double>) -> Option<Exact> {
+    fn refined(
+        &self,
+        solver: &dyn AnySolver,
+        format: Format,
+        at: &Point,
+        mut x: Vec<Double>,
+    ) -> Option<Exact> {
         let mut before = f64::INFINITY;
         for _ in 0..REFINEMENTS {
             let factors = jacobian(solver, at, &nearest(&x))?.lu();
@@ -150,7 +156,7 @@ impl Twin {
                 return None;
             }
             if size <= NOTHING || (size <= 1e3 * NOTHING && size >= before) {
-                return self.exact(solver, at, &x);
+                return self.exact(solver, format, at, &x);
             }
             before = size;
         }
@@ -159,12 +165,18 @@ impl Twin {
 
     /// Whether `x` solves equations that differ from these by no more than rounding: then so many solutions do that none of
     /// them is the one.
-    fn is_rounding(&self, solver: &dyn AnySolver, at: &Point, x: &[Double]) -> bool {
+    fn is_rounding(
+        &self,
+        solver: &dyn AnySolver,
+        format: Format,
+        at: &Point,
+        x: &[Double],
+    ) -> bool {
         let Some(jacobian) = jacobian(solver, at, &nearest(x)) else {
             return false;
         };
         let scales = DVector::from_vec(self.scales(at, x));
-        let most = jacobian.abs() * scales * ROUNDING + self.rounding(at, x);
+        let most = jacobian.abs() * scales * format.rounding() + self.rounding(format, at, x);
         let residual = self.residual.evaluate(leaf(at, x));
         let mut pairs = residual.iter().zip(&most);
         pairs.all(|(r, most)| r.to_f64().abs() <= *most)
@@ -246,25 +258,34 @@ impl Twin {
         guess
     }
 
-    fn exact(&self, solver: &dyn AnySolver, at: &Point, x: &[Double]) -> Option<Exact> {
+    fn exact(
+        &self,
+        solver: &dyn AnySolver,
+        format: Format,
+        at: &Point,
+        x: &[Double],
+    ) -> Option<Exact> {
         let next = self.next.evaluate(leaf(at, x));
         let jacobian = jacobian(solver, at, &nearest(x))?;
         let scales = self.scales(at, x);
         let inverse = inverse(jacobian.clone().lu(), x.len())?;
-        let rounding =
-            jacobian.abs() * DVector::from_column_slice(&scales) * ROUNDING + self.rounding(at, x);
+        let rounding = jacobian.abs() * DVector::from_column_slice(&scales) * format.rounding()
+            + self.rounding(format, at, x);
         let errors = inverse.abs() * rounding;
-        let share = if self.has_core { ELIMINATED } else { TOLERANCE };
+        let share = match self.has_core {
+            true => format.eliminated(),
+            false => format.tolerance(),
+        };
         let mut bound = Vec::with_capacity(next.len());
         for variable in self.states {
             let own = bound.len()..bound.len() + size(variable);
             let after = next[own.clone()].iter().map(|x| x.to_f64().abs());
             let scale = at.state[own.clone()].iter().map(|x| x.abs()).chain(after);
-            bound.resize(own.end, share * scale.fold(0.0, f64::max));
+            bound.resize(own.end, share * scale.fold(format.least(), f64::max));
         }
         for (i, scale) in scales.iter().enumerate() {
             let mut moved = x.to_vec();
-            moved[i] = moved[i] + Double::from(errors[i] + TOLERANCE * scale);
+            moved[i] = moved[i] + Double::from(errors[i] + format.tolerance() * scale);
             let moved = self.next.evaluate(leaf(at, &moved));
             for ((bound, moved), next) in bound.iter_mut().zip(moved).zip(&next) {
                 *bound += (moved - *next).to_f64().abs();
@@ -274,13 +295,20 @@ impl Twin {
         (is_finite && bound.iter().all(|bound| bound.is_finite())).then_some(Exact { next, bound })
     }
 
-    /// What rounding may do to the residual in `f64`, in whatever order it is computed.
-    fn rounding(&self, at: &Point, x: &[Double]) -> DVector<f64> {
-        let residual = self
-            .running
-            .evaluate(|l| Running::exact(leaf(at, x)(l).to_f64()));
-        let bounds = residual.iter().map(|r| r.error);
-        DVector::from_iterator(x.len(), bounds)
+    /// What rounding may do to the residual, in whatever order it is computed.
+    fn rounding(&self, format: Format, at: &Point, x: &[Double]) -> DVector<f64> {
+        let leaf = |l| leaf(at, x)(l).to_f64();
+        let bounds: Vec<f64> = match format {
+            Format::Double => {
+                let residual = self.running.evaluate(|l| Running::exact(leaf(l)));
+                residual.iter().map(|r| r.error).collect()
+            }
+            Format::Single => {
+                let residual = self.running_in_single.evaluate(|l| Running::exact(leaf(l)));
+                residual.iter().map(|r| r.error.into()).collect()
+            }
+        };
+        DVector::from_vec(bounds)
     }
 
     /// The size of each unknown: the largest of its block and of the state that the block advances.

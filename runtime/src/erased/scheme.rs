@@ -151,7 +151,7 @@ impl Scheme {
         run: &Run,
         observer: &mut Observer,
     ) -> Result<Statistics, RunError> {
-        let records = run.records::<M>()?;
+        let records = run.records::<M, f64>()?;
         match self {
             Self::RungeKutta4 => {
                 let integration = start::<Explicit<M, f64>>(records, run)?;

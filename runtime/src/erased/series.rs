@@ -45,7 +45,7 @@ impl<M: Series<f64>> AnySeries for ErasedSeries<M> {
         order: usize,
         observer: &mut Observer,
     ) -> Result<Statistics, RunError> {
-        let (parameters, start) = run.records::<M>()?;
+        let (parameters, start) = run.records::<M, f64>()?;
         let integration = TaylorSeries::<M>::new(parameters, start, run.h)?.at(run.t0)?;
         run.through(integration.with_order(order), observer)
     }
@@ -56,7 +56,7 @@ impl<M: Series<f64>> AnySeries for ErasedSeries<M> {
         tolerance: Tolerance,
         observer: &mut Observer,
     ) -> Result<Statistics, RunError> {
-        let (parameters, start) = run.records::<M>()?;
+        let (parameters, start) = run.records::<M, f64>()?;
         let integration = AdaptiveTaylor::<M>::new(parameters, start, run.h)?.at(run.t0)?;
         run.through(integration.with_tolerance(tolerance), observer)
     }

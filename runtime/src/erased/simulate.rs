@@ -11,6 +11,7 @@ use crate::integration::Method;
 use crate::model::Model;
 use crate::model::Record;
 use crate::report::Statistics;
+use crate::scalar::Scalar;
 use crate::settings::Settings;
 
 /// A run to be made.
@@ -50,13 +51,15 @@ pub type Observer<'a> = dyn FnMut(Sample) -> ControlFlow<()> + 'a;
 
 impl Run<'_> {
     /// Parameters and start state of `M`, if there are as many values as `M` has.
-    pub(super) fn records<M: Model<f64>>(&self) -> Result<(M::Parameters, M::State), InvalidRun> {
-        let defaults = M::Parameters::default();
-        require_length("parameters", defaults.to_array().as_ref(), self.parameters)?;
-        let parameters = model::parameters::<M, f64>(self.parameters);
+    pub(super) fn records<M: Model<T>, T: Scalar>(
+        &self,
+    ) -> Result<(M::Parameters, M::State), InvalidRun> {
+        let defaults = M::Parameters::default().to_array();
+        require_length("parameters", defaults.as_ref().len(), self.parameters)?;
+        let parameters = model::parameters::<M, T>(self.parameters);
         let shape = M::start(&parameters).to_array();
-        require_length("start values", shape.as_ref(), self.start)?;
-        let start = model::state::<M, f64>(&parameters, self.start);
+        require_length("start values", shape.as_ref().len(), self.start)?;
+        let start = model::state::<M, T>(&parameters, self.start);
         Ok((parameters, start))
     }
 
@@ -70,7 +73,7 @@ impl Run<'_> {
     }
 
     /// The same, compiled once.
-    fn drive(
+    pub(super) fn drive(
         &self,
         integration: &mut dyn Steps,
         observer: &mut Observer,
@@ -93,7 +96,7 @@ impl Run<'_> {
 }
 
 /// A run by whatever method.
-trait Steps {
+pub(super) trait Steps {
     fn advance(&mut self, count: u64) -> Result<(), StepError>;
     fn sample(&self) -> Sample<'_>;
 }
@@ -113,13 +116,13 @@ impl<M: Method<f64>> Steps for Integration<M, f64> {
     }
 }
 
-fn require_length(what: &'static str, model: &[f64], given: &[f64]) -> Result<(), InvalidRun> {
-    if model.len() == given.len() {
+fn require_length(what: &'static str, expected: usize, given: &[f64]) -> Result<(), InvalidRun> {
+    if expected == given.len() {
         return Ok(());
     }
     Err(InvalidRun::Length {
         what,
-        expected: model.len(),
+        expected,
         found: given.len(),
     })
 }

@@ -10,6 +10,8 @@ use num_dual::Dual64;
 use super::model;
 use super::simulate::Observer;
 use super::simulate::Run;
+#[cfg(feature = "single")]
+use super::single;
 use crate::description::Solver;
 #[cfg(feature = "ensemble")]
 use crate::ensemble::Ensemble;
@@ -62,6 +64,13 @@ pub trait AnySolver: Sync {
     fn next(&self, at: &Point, x: &[f64], out: &mut [f64]);
     /// Runs the solver and shows states to `observer`, which may stop it.
     fn simulate(&self, run: &Run, observer: &mut Observer) -> Result<Statistics, RunError>;
+    /// The same in `f32`: the numbers of the run are rounded to it, and the observer is shown its states.
+    #[cfg(feature = "single")]
+    fn simulate_in_single(
+        &self,
+        run: &Run,
+        observer: &mut Observer,
+    ) -> Result<Statistics, RunError>;
     /// Runs many trajectories, and returns how each of them ended; see [`Ensemble`].
     ///
     /// Errors: the step is 0, or it or the start time is infinite or NaN.
@@ -70,9 +79,9 @@ pub trait AnySolver: Sync {
 }
 
 /// A system that works on all that an [`ErasedSolver`] computes with: `f64`, with the feature `dual` dual numbers, with
-/// the feature `ensemble` lanes. Generated systems do.
-pub trait Differentiable: Solvable<f64> + OnDuals + OnLanes {}
-impl<S: Solvable<f64> + OnDuals + OnLanes> Differentiable for S {}
+/// the feature `single` `f32`, with the feature `ensemble` lanes. Generated systems do.
+pub trait Differentiable: Solvable<f64> + OnDuals + OnSingles + OnLanes {}
+impl<S: Solvable<f64> + OnDuals + OnSingles + OnLanes> Differentiable for S {}
 
 #[cfg(feature = "dual")]
 pub trait OnDuals: System<Dual64> {}
@@ -82,6 +91,15 @@ impl<S: System<Dual64>> OnDuals for S {}
 pub trait OnDuals {}
 #[cfg(not(feature = "dual"))]
 impl<S> OnDuals for S {}
+
+#[cfg(feature = "single")]
+pub trait OnSingles: Solvable<f32> {}
+#[cfg(feature = "single")]
+impl<S: Solvable<f32>> OnSingles for S {}
+#[cfg(not(feature = "single"))]
+pub trait OnSingles {}
+#[cfg(not(feature = "single"))]
+impl<S> OnSingles for S {}
 
 #[cfg(feature = "ensemble")]
 pub trait OnLanes: Wide + 'static {}
@@ -139,9 +157,18 @@ impl<S: Differentiable> AnySolver for ErasedSolver<S> {
     }
 
     fn simulate(&self, run: &Run, observer: &mut Observer) -> Result<Statistics, RunError> {
-        let (parameters, start) = run.records::<<S as System<f64>>::Model>()?;
+        let (parameters, start) = run.records::<<S as System<f64>>::Model, f64>()?;
         let stepper = Stepper::<S>::new(parameters, start, run.h)?.at(run.t0)?;
         run.through(stepper.with_settings(run.settings), observer)
+    }
+
+    #[cfg(feature = "single")]
+    fn simulate_in_single(
+        &self,
+        run: &Run,
+        observer: &mut Observer,
+    ) -> Result<Statistics, RunError> {
+        single::simulate::<S>(run, observer)
     }
 
     #[cfg(feature = "ensemble")]
