@@ -9,7 +9,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
-#[path = "src/command/name.rs"]
+#[path = "tools/src/command/name.rs"]
 mod name;
 
 /// A kind of file.

@@ -16,19 +16,10 @@
     reason = "model files use Greek letters beside Latin ones on purpose"
 )]
 
-pub mod columns;
-pub mod errata;
+pub mod effort;
 pub mod exact;
-pub mod notation;
-pub mod plot;
-pub mod precision;
-pub mod race;
-pub mod replay;
-pub mod report;
 #[cfg(feature = "rivals")]
 pub mod rivals;
-pub mod stress;
-pub mod study;
 pub mod values;
 
 use ::residua::Catalogued;

@@ -18,6 +18,8 @@ pub enum Failure {
     Stalled,
     /// The Jacobian has a pivot that is exactly 0.
     Singular,
+    /// Some of the state follows from the unknowns, and rounding of these would leave it less than ten digits, in `f32` five.
+    Undetermined,
     /// NaN or infinity in a residual, an unknown or the state after the step.
     NotFinite,
     /// The stages of a scheme could not be solved for.
@@ -42,9 +44,9 @@ pub enum Place {
 pub struct Fault {
     /// Why the step failed.
     pub failure: Failure,
-    /// The first component that is not finite, or else the row of the largest residual.
+    /// The first component that is not finite, what is undetermined, or else the row of the largest residual.
     pub place: Place,
-    /// The value there.
+    /// The value there; of what is undetermined, how many times rounding grows.
     pub value: f64,
 }
 
@@ -83,6 +85,13 @@ impl fmt::Display for StepError {
                 return write!(
                     f,
                     "steps of {value:.1e} miss the tolerance, and shorter ones would not change the time"
+                );
+            }
+            Failure::Undetermined => {
+                self.write_place(f)?;
+                return write!(
+                    f,
+                    " is not known: on its way from the unknowns, rounding grows {value:.1e} times; a shorter step may do"
                 );
             }
             Failure::NotFinite => {

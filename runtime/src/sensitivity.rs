@@ -5,11 +5,35 @@ use crate::model::Model;
 use crate::model::StateArray;
 use crate::model::System;
 use crate::scalar::Real;
+use crate::scalar::Scalar;
 use crate::scalar::larger;
 use crate::scalar::largest_of;
 
-/// Relative size of the moves that sensitivity is measured by, 2⁻²⁶: half of the digits of `f64`.
-const MOVE: f64 = 1.490_116_119_384_765_6e-8;
+/// Relative size of the moves that sensitivity is measured by: half of the digits.
+#[inline]
+fn relative_move<T: Real>() -> T {
+    T::EPSILON.sqrt()
+}
+
+/// Whether some of the state follows from unknowns that are not its own.
+pub(crate) fn follows<S: System<T>, T: Scalar>() -> bool {
+    let told = S::UNKNOWNS.iter().filter(|block| {
+        let own = block.measure.as_ref();
+        own.is_some_and(|own| own.len() == block.len)
+    });
+    let told: usize = told.map(|block| block.len).sum();
+    let states = S::Model::DESCRIPTION.states.iter();
+    let all: usize = states.map(|state| state.rows * state.cols).sum();
+    told < all
+}
+
+/// How much larger rounding may be in a state than in the unknowns.
+pub(crate) struct Amplification<T> {
+    /// Times.
+    pub(crate) times: T,
+    /// The first component of the variable that it is largest in.
+    pub(crate) state: usize,
+}
 
 /// The largest change of a state in units of its scale when an unknown moves by a part of its own: how many times rounding
 /// of the unknowns grows on its way to the state. Scales are the largest |x| in a block of unknowns and in the state that it advances,
@@ -23,11 +47,13 @@ pub(crate) fn amplification<S: System<T>, T: Real>(
     step: &S::Step,
     x: &S::Unknowns,
     state: &StateArray<S, T>,
-) -> T {
-    let zero = T::constant(0.0);
+) -> Amplification<T> {
     let next = S::next(scene, step, x);
     let (known, next) = (state.as_ref(), next.as_ref());
-    let mut most = zero;
+    let mut most = Amplification {
+        times: T::constant(0.0),
+        state: 0,
+    };
     let mut offset = 0;
     for block in S::UNKNOWNS {
         let own = offset..offset + block.len;
@@ -37,21 +63,30 @@ pub(crate) fn amplification<S: System<T>, T: Real>(
         for j in own {
             let mut moved = *x;
             if let Some(moved) = moved.as_mut().get_mut(j) {
-                *moved = *moved + T::constant(MOVE) * scale;
+                *moved = *moved + relative_move::<T>() * scale;
             }
             let moved = S::next(scene, step, &moved);
-            most = larger(
-                most,
-                change(S::Model::DESCRIPTION.states, known, next, moved.as_ref()),
-            );
+            let change = change(S::Model::DESCRIPTION.states, known, next, moved.as_ref());
+            if change.times > most.times {
+                most = change;
+            }
         }
     }
-    most / T::constant(MOVE)
+    most.times = most.times / relative_move::<T>();
+    most
 }
 
 /// The largest change of a variable relative to its scale.
-fn change<T: Real>(variables: &[Variable], known: &[T], next: &[T], moved: &[T]) -> T {
-    let mut most = T::constant(0.0);
+fn change<T: Real>(
+    variables: &[Variable],
+    known: &[T],
+    next: &[T],
+    moved: &[T],
+) -> Amplification<T> {
+    let mut most = Amplification {
+        times: T::constant(0.0),
+        state: 0,
+    };
     let mut offset = 0;
     for variable in variables {
         let own = offset..offset + variable.rows * variable.cols;
@@ -62,8 +97,11 @@ fn change<T: Real>(variables: &[Variable], known: &[T], next: &[T], moved: &[T])
             larger(most, (*moved - *next).abs())
         });
         // Not where both are 0; NaN is no larger than anything, and found elsewhere.
-        if change > most * scale {
-            most = change / scale;
+        if change > most.times * scale {
+            most = Amplification {
+                times: change / scale,
+                state: own.start,
+            };
         }
     }
     most

@@ -4,6 +4,7 @@ use crate::compensated::compensated_sums;
 use crate::description;
 use crate::error::Failure;
 use crate::error::Fault;
+use crate::error::Place;
 use crate::integration::Integration;
 use crate::integration::Method;
 use crate::integration::require_finite;
@@ -19,7 +20,9 @@ use crate::report::Report;
 use crate::report::Statistics;
 use crate::scalar::Real;
 use crate::scalar::all_finite;
+use crate::sensitivity::Amplification;
 use crate::sensitivity::amplification;
+use crate::sensitivity::follows;
 use crate::settings::Settings;
 use crate::settings::Strategy;
 use crate::settings::most_growth;
@@ -41,7 +44,7 @@ pub struct Implicit<S: Solvable<T>, T: Real> {
 /// A system with its scene and Newton's method for it.
 struct Solver<S: Correctable<T>, T: Real> {
     /// Some of the state follows from unknowns that are not its own.
-    is_core: bool,
+    follows: bool,
     scene: S::Scene,
     newton: Newton<S, T>,
 }
@@ -56,21 +59,23 @@ impl<S: Solvable<T>, T: Real> Stepper<S, T> {
 }
 
 impl<S: Correctable<T>, T: Real> Solver<S, T> {
-    fn new(parameters: &<S::Model as Model<T>>::Parameters, h: T, is_core: bool) -> Self {
+    fn new(parameters: &<S::Model as Model<T>>::Parameters, h: T) -> Self {
         Self {
-            is_core,
+            follows: follows::<S, T>(),
             scene: S::scene(parameters, h),
             newton: Newton::new(Settings::default()),
         }
     }
 
-    /// Takes `state` one step on, unless what follows from the solution cannot be trusted.
+    /// Takes `state` one step on, unless what follows from the solution cannot be trusted, or `holds` has something against
+    /// a step from one state to the other that was not solved quickly.
     fn advance(
         &mut self,
         t: T,
         state: &mut StateArray<S, T>,
         lost: &mut StateArray<S, T>,
         statistics: &mut Statistics,
+        holds: impl FnOnce(&StateArray<S, T>, &StateArray<S, T>) -> bool,
     ) -> Result<Report, Fault> {
         let before = statistics.iterations;
         if self.advance_quickly(|_| t, 1, state, lost, statistics) == 1 {
@@ -82,15 +87,34 @@ impl<S: Correctable<T>, T: Real> Solver<S, T> {
         let (x, report) = self
             .newton
             .solve(scene, &step, state.as_ref(), statistics)?;
-        let most = most_growth::<T>();
-        let is_known = !self.is_core || amplification::<S, T>(scene, &step, &x, state) <= most;
-        if !(is_known && is_trusted::<S, T>(scene, &step, &x)) {
+        if self.follows {
+            let Amplification { times, state } = amplification::<S, T>(scene, &step, &x, state);
+            if times > most_growth::<T>() {
+                return Err(undetermined(times, state));
+            }
+        }
+        if !is_trusted::<S, T>(scene, &step, &x) {
             return Err(self.newton.fault(Failure::Singular));
         }
         let (next, lost_then) = self.after(&step, state, &x, lost);
         require_finite(&next)?;
+        if !holds(state, &next) {
+            return Err(self.newton.fault(Failure::Singular));
+        }
         (*state, *lost) = (next, lost_then);
         Ok(report)
+    }
+
+    /// Whether the equations hold between two states but for rounding that may have grown; taken for granted where states do
+    /// not tell the unknowns.
+    #[cold]
+    #[inline(never)]
+    fn holds(&mut self, t: T, state: &StateArray<S, T>, next: &StateArray<S, T>) -> bool {
+        let Some(x) = unknowns::<S, T>(state.as_ref(), next.as_ref()) else {
+            return true;
+        };
+        let step = S::step(&self.scene, t, state);
+        self.newton.holds_at(&self.scene, &step, state.as_ref(), x)
     }
 
     /// Takes `state` on by as many of `count` steps as can be solved quickly.
@@ -142,10 +166,34 @@ impl<S: Correctable<T>, T: Real> Solver<S, T> {
     }
 }
 
+#[cold]
+fn undetermined<T: Real>(times: T, state: usize) -> Fault {
+    Fault {
+        failure: Failure::Undetermined,
+        place: Place::State(state),
+        value: times.to_f64(),
+    }
+}
+
 /// Whether what is eliminated follows from `x` to more than rounding. False for NaN.
 #[inline]
 fn is_trusted<S: System<T>, T: Real>(scene: &S::Scene, step: &S::Step, x: &S::Unknowns) -> bool {
     S::growth(scene, step, x) <= most_growth::<T>()
+}
+
+/// The unknowns of a step between two states, if these tell.
+fn unknowns<S: System<T>, T: Real>(state: &[T], next: &[T]) -> Option<S::Unknowns> {
+    let is_increment = S::Model::DESCRIPTION.solvers.get(S::SOLVER)?.form == "increment";
+    let (mut x, _) = S::zeros();
+    let mut unknowns = x.as_mut().iter_mut();
+    for block in S::UNKNOWNS {
+        let own = block.measure.clone().filter(|own| own.len() == block.len)?;
+        for i in own {
+            let (after, before) = (*next.get(i)?, *state.get(i)?);
+            *unknowns.next()? = if is_increment { after - before } else { after };
+        }
+    }
+    Some(x)
 }
 
 impl<S: Solvable<T>, T: Real> Method<T> for Implicit<S, T> {
@@ -155,8 +203,8 @@ impl<S: Solvable<T>, T: Real> Method<T> for Implicit<S, T> {
         let mut lost = S::Model::start(parameters).to_array();
         lost.as_mut().fill(T::constant(0.0));
         Self {
-            core: Solver::new(parameters, h, S::HAS_CORE),
-            full: Solver::new(parameters, h, false),
+            core: Solver::new(parameters, h),
+            full: Solver::new(parameters, h),
             lost,
             fell_back: false,
         }
@@ -171,7 +219,12 @@ impl<S: Solvable<T>, T: Real> Method<T> for Implicit<S, T> {
         if self.core.newton.settings.strategy == Strategy::Full {
             return self.all_unknowns(t, state, statistics);
         }
-        let core = self.core.advance(t, state, &mut self.lost, statistics);
+        let Self {
+            core, full, lost, ..
+        } = self;
+        let core = core.advance(t, state, lost, statistics, |state, next| {
+            !S::HAS_CORE || full.holds(t, state, next)
+        });
         if core.is_err() && S::HAS_CORE {
             return self.fall_back(t, state, statistics);
         }
@@ -235,7 +288,8 @@ impl<S: Solvable<T>, T: Real> Implicit<S, T> {
         statistics: &mut Statistics,
     ) -> Result<Report, Fault> {
         self.fell_back = true;
-        self.full.advance(t, state, &mut self.lost, statistics)
+        self.full
+            .advance(t, state, &mut self.lost, statistics, |_, _| true)
     }
 }
 

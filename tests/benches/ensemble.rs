@@ -9,11 +9,11 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use residua::erased::Sample;
 use residua::{Ensemble, Fleet, Model, Record, Settings, System, Wide};
 use residua_models::dsl as models;
-use residua_models::race::{Lane, agree, race};
 use residua_tests::reference::{
     Form, nalgebra_step, planar_angle, planar_group, planar_reduced, spatial_cardan, spatial_group,
     spatial_reduced,
 };
+use residua_tools::race::{Lane, agree, race};
 use std::convert::Infallible;
 use std::hint::black_box;
 use std::sync::Mutex;

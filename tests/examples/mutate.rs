@@ -27,7 +27,14 @@ const ATTEMPTS: [&[&str]; 5] = [
     &["-p", "residua-codegen", "--lib"],
     &["-p", "residua-codegen"],
     &["-p", "residua-tests"],
-    &["-p", "residua", "-p", "residua-models"],
+    &[
+        "-p",
+        "residua",
+        "-p",
+        "residua-models",
+        "-p",
+        "residua-tools",
+    ],
 ];
 
 fn main() -> io::Result<()> {

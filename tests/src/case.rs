@@ -4,8 +4,8 @@ use crate::points::Points;
 use residua::Settings;
 use residua::description::Variable;
 use residua::erased::{AnySolver, Catalogued, Point, Run};
-use residua_models::columns::total;
 use residua_models::values;
+use residua_models::values::total;
 use std::ops::ControlFlow;
 
 /// A model, its parameters and its start values, flat and in file order.

@@ -120,7 +120,9 @@ pub const ALL: &[Mutation] = &[
     mutation("blame: the largest residual", THOROUGH, "if value.abs() > most {\n            (largest", "if value.abs() < most {\n            (largest"),
     // How a step moves the state on.
     mutation("a failed step leaves the state", STEPPER, "require_finite(&next)?;\n        (*state, *lost) = (next, lost_then);", "(*state, *lost) = (next, lost_then);\n        require_finite(&next)?;"),
-    mutation("what is eliminated must be known", STEPPER, "if !(is_known && is_trusted::<S, T>(scene, &step, &x)) {", "if false {"),
+    mutation("what is eliminated must be known", STEPPER, "if !is_trusted::<S, T>(scene, &step, &x) {", "if false {"),
+    mutation("what follows from the unknowns must be known", STEPPER, "if times > most_growth::<T>() {", "if false {"),
+    mutation("what is eliminated must fulfil all equations", STEPPER, "!S::HAS_CORE || full.holds(t, state, next)", "true"),
     mutation("sums of increments remember their rounding", STEPPER, "return compensated_sums(state, &change, lost);", "return (compensated_sums(state, &change, lost).0, *lost);"),
     mutation("without `update` the state becomes x[k+1]", CONTEXT, "None => next.extend(self.at_level(i, Level::Next).entries)", "None => next.extend(self.at_level(i, Level::Half).entries)"),
     mutation("with `update` it becomes that", CONTEXT, "Some(update) => next.extend(self.components(update, state.variable.shape))", "Some(_) => next.extend(self.known(i).entries)"),

@@ -1,8 +1,8 @@
 //! What `residua errata` says, beside what is coded by hand.
 
 use nalgebra::SMatrix;
-use residua_models::errata::newton::Plan;
-use residua_models::errata::{Errata, Verdict, errata};
+use residua_tools::errata::newton::Plan;
+use residua_tools::errata::{Errata, Verdict, errata};
 
 /// Relative difference of entries that are equal: a few roundings of terms of order one.
 pub const ROUNDING: f64 = 1e-12;

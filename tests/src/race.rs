@@ -1,6 +1,6 @@
 //! Races of lanes that cannot fail, printed.
 
-use residua_models::race;
+use residua_tools::race;
 use std::convert::Infallible;
 
 /// Largest difference of the end states of two lanes, relative to their size: rounding, grown over some seconds.

@@ -3,16 +3,16 @@
 //! says.
 
 use nalgebra::{Const, DimMin, Matrix3, SMatrix, SVector};
-use residua_models::errata::Verdict;
-use residua_models::errata::newton::Plan;
 use residua_tests::number::Number;
 use residua_tests::printed::{all, named, rows, unequal, verdict};
 use residua_tests::reference::{
     Form, Planar, Scene, Spatial, part, planar_algebra, planar_recursive, spatial_cardan,
     spatial_group, tile,
 };
+use residua_tools::errata::Verdict;
+use residua_tools::errata::newton::Plan;
 
-/// As in `residua_models::errata::newton`: both loops stop at the same corrections.
+/// As in `residua_tools::errata::newton`: both loops stop at the same corrections.
 const TOLERANCE: f64 = 1e-12;
 const MOST_ITERATIONS: usize = 100;
 

@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector};
 use residua::Strategy;
 use residua::erased::{AnySolver, Catalogued, Scheme};
 use residua_models::CATALOGUE;
-use residua_models::columns::total;
+use residua_models::values::total;
 use residua_tests::case::Case;
 use residua_tests::points::Points;
 use std::ops::ControlFlow;

@@ -1,16 +1,16 @@
 //! Schemes under study: which are the same map, what they conserve, how far they are from the exact motion.
 #![allow(confusable_idents, reason = "model files spell names as papers do")]
 
-use residua_models::study::Case;
-use residua_models::study::Decay;
-use residua_models::study::Kept;
-use residua_models::study::Map;
-use residua_models::study::Method;
-use residua_models::study::SCENES;
-use residua_models::study::Scene;
-use residua_models::study::conservation;
-use residua_models::study::same_maps;
-use residua_models::study::schemes;
+use residua_tools::study::Case;
+use residua_tools::study::Decay;
+use residua_tools::study::Kept;
+use residua_tools::study::Map;
+use residua_tools::study::Method;
+use residua_tools::study::SCENES;
+use residua_tools::study::Scene;
+use residua_tools::study::conservation;
+use residua_tools::study::same_maps;
+use residua_tools::study::schemes;
 
 /// `planar_group` with other names and other rows, its equations scaled and in another order.
 mod renamed {

@@ -7,8 +7,8 @@ mod differential_equations;
 mod diffsol;
 mod ode_solvers;
 
-use crate::precision::Effort;
-use crate::precision::Visit;
+use crate::effort::Effort;
+use crate::effort::Visit;
 use ::num_dual::Dual64;
 use ::residua::Flow;
 use ::residua::Model;

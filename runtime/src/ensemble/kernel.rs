@@ -30,6 +30,7 @@ use crate::model::System;
 use crate::report::Statistics;
 use crate::scalar::Scalar;
 use crate::sensitivity::amplification;
+use crate::sensitivity::follows;
 use crate::settings::MOST_GROWTH;
 use crate::settings::Settings;
 use crate::stepper::Stepper;
@@ -206,7 +207,7 @@ impl<S: Wide + 'static> Kernel for Emitted<S> {
     }
 
     fn amplification(&self, lane: usize, t: f64, scene: &[Row], state: &[Row], x: &[Row]) -> f64 {
-        if !<S as System<f64>>::HAS_CORE {
+        if !follows::<Core<S, f64>, f64>() {
             return 0.0;
         }
         let parameters = <<S as System<f64>>::Model as Model<f64>>::Parameters::default();
@@ -216,7 +217,7 @@ impl<S: Wide + 'static> Kernel for Emitted<S> {
         get(x, lane, unknowns.as_mut());
         let scene = <Core<S, f64> as System<f64>>::Scene::gather(|j| scene[j][lane]);
         let step = Core::<S, f64>::step(&scene, t, &known);
-        amplification::<Core<S, f64>, f64>(&scene, &step, &unknowns, &known)
+        amplification::<Core<S, f64>, f64>(&scene, &step, &unknowns, &known).times
     }
 
     fn alone(&self, departure: &Departure) -> Result<Box<dyn Alone>, InvalidRun> {

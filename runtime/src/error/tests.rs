@@ -52,6 +52,15 @@ fn failures_name_time_and_equation() {
 }
 
 #[test]
+fn what_is_undetermined_is_named() {
+    assert_eq!(
+        message(Failure::Undetermined, Place::State(0), 3.21e7, 3),
+        "step 17 at t = 0.17: state θ at the end of the step is not known: on its way from the unknowns, rounding grows 3.2e7 \
+         times; a shorter step may do"
+    );
+}
+
+#[test]
 fn what_is_not_finite_is_named() {
     assert_eq!(
         message(Failure::NotFinite, Place::Equation(0), f64::NAN, 0),

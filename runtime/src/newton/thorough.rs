@@ -237,16 +237,35 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
             .all(|(r, row)| r.abs() <= rounding * self.terms(row, known))
     }
 
-    /// Whether no equation feels what is still corrected in more than the last six digits of its terms. Where the Jacobian is
-    /// nearly singular, rounding of the residual moves unknowns by more.
+    /// Whether all equations hold at `x` to ten digits of their terms.
+    pub(crate) fn holds_at(
+        &mut self,
+        scene: &S::Scene,
+        step: &S::Step,
+        known: &[T],
+        x: S::Unknowns,
+    ) -> bool {
+        self.x = x;
+        S::residual_and_jacobian(scene, step, &self.x, &mut self.r, &mut self.j);
+        let digits = most_growth::<T>() * T::EPSILON;
+        let r = self.r.as_ref().iter();
+        r.zip(self.rows())
+            .all(|(r, row)| r.abs() <= digits * self.terms(row, known))
+    }
+
+    /// Whether every block is known to ten digits, or what it is corrected by is rounding to every equation: an unknown that
+    /// is small among large terms has fewer digits and needs no more.
     fn is_determined(&self, correction: &S::Unknowns, known: &[T]) -> bool {
         let digits = most_growth::<T>() * T::EPSILON;
-        self.rows().all(|row| {
-            let pairs = row.iter().zip(correction.as_ref());
-            let felt = pairs.fold(T::constant(0.0), |sum, (entry, c)| {
-                sum + entry.abs() * c.abs()
-            });
-            felt <= digits * self.terms(row, known)
+        let rounding = T::constant(ROUNDING) * T::EPSILON;
+        self.blocks(known).all(|(unknowns, scale)| {
+            let size = largest_of(correction.as_ref(), &unknowns);
+            size <= digits * scale
+                || self.rows().all(|row| {
+                    let own = row.iter().take(unknowns.end).skip(unknowns.start);
+                    let felt = own.fold(T::constant(0.0), |sum, entry| sum + entry.abs() * size);
+                    felt <= rounding * self.terms(row, known)
+                })
         })
     }
 
