@@ -119,7 +119,7 @@ pub const ALL: &[Mutation] = &[
     mutation("blame: what is not finite comes first", THOROUGH, "if let Some((row, value)) = first_not_finite(r) {", "if let Some((row, value)) = first_not_finite(r).filter(|_| false) {"),
     mutation("blame: the largest residual", THOROUGH, "if value.abs() > most {\n            (largest", "if value.abs() < most {\n            (largest"),
     // How a step moves the state on.
-    mutation("a failed step leaves the state", STEPPER, "require_finite(&next)?;\n        (*state, *lost) = (next, lost_then);", "(*state, *lost) = (next, lost_then);\n        require_finite(&next)?;"),
+    mutation("a failed step leaves the state", STEPPER, "        require_finite(&next)?;\n        if !holds", "        (*state, *lost) = (next, lost_then);\n        require_finite(&next)?;\n        if !holds"),
     mutation("what is eliminated must be known", STEPPER, "if !is_trusted::<S, T>(scene, &step, &x) {", "if false {"),
     mutation("what follows from the unknowns must be known", STEPPER, "if times > most_growth::<T>() {", "if false {"),
     mutation("what is eliminated must fulfil all equations", STEPPER, "!S::HAS_CORE || full.holds(t, state, next)", "true"),
