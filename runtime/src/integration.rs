@@ -12,9 +12,13 @@ use crate::model::Record;
 use crate::report::History;
 use crate::report::Report;
 use crate::report::Statistics;
+use crate::report::Success;
 use crate::scalar::Real;
 use crate::scalar::all_finite;
 use crate::scalar::first_not_finite;
+
+/// A step in a million parts is hopeless.
+const MOST_HALVINGS: u32 = 20;
 
 /// The flat state of a model, `[T; n]`.
 pub type FlatState<M, T> = <<M as Model<T>>::State as Record<T>>::Array;
@@ -25,6 +29,13 @@ pub trait Method<T: Real> {
     type Model: Model<T>;
     /// Computes what depends on the parameters and the step `h` only.
     fn new(parameters: &<Self::Model as Model<T>>::Parameters, h: T) -> Self;
+    /// The same method for another step.
+    fn with_step(&self, parameters: &<Self::Model as Model<T>>::Parameters, h: T) -> Self
+    where
+        Self: Sized,
+    {
+        Self::new(parameters, h)
+    }
     /// Takes `state` from t to t + h. Where that fails, or gives a state that is not finite, `state` is as it was.
     fn advance(
         &mut self,
@@ -64,6 +75,7 @@ pub struct Integration<M: Method<T>, T: Real> {
     state: FlatState<M::Model, T>,
     h: T,
     t0: T,
+    pub(crate) halvings: u32,
     statistics: Statistics,
 }
 
@@ -86,6 +98,7 @@ impl<M: Method<T>, T: Real> Integration<M, T> {
             state,
             h,
             t0: T::constant(0.0),
+            halvings: 0,
             statistics: Statistics::default(),
         })
     }
@@ -119,10 +132,42 @@ impl<M: Method<T>, T: Real> Integration<M, T> {
         {
             Ok(report) => {
                 self.statistics.steps += 1;
+                self.statistics.at_floor += u64::from(report.success == Success::AtFloor);
                 Ok(report)
             }
-            Err(fault) => Err(self.error(fault)),
+            Err(fault) => self.halve(fault),
         }
+    }
+
+    /// Takes the step that failed as 2, 4, 8, … shorter ones, as often as the settings allow it.
+    #[cold]
+    fn halve(&mut self, fault: Fault) -> Result<Report, StepError> {
+        let mut parts = 1_u32;
+        for _ in 0..self.halvings.min(MOST_HALVINGS) {
+            parts *= 2;
+            if let Ok((state, report)) = self.in_parts(parts) {
+                self.state = state;
+                // What it knows of earlier steps does not lead to the next.
+                self.method = self.method.with_step(&self.parameters, self.h);
+                self.statistics.steps += 1;
+                self.statistics.halved += 1;
+                return Ok(report);
+            }
+        }
+        Err(self.error(fault))
+    }
+
+    /// The state after a step, taken as so many.
+    fn in_parts(&mut self, parts: u32) -> Result<(FlatState<M::Model, T>, Report), Fault> {
+        let h = self.h / T::constant(parts.into());
+        let mut method = self.method.with_step(&self.parameters, h);
+        let (t, mut state) = (self.t(), self.state);
+        let mut report = method.advance(t, &mut state, &mut self.statistics)?;
+        for part in 1..parts {
+            let t = t + T::constant(part.into()) * h;
+            report = method.advance(t, &mut state, &mut self.statistics)?;
+        }
+        Ok((state, report))
     }
 
     /// Advances by `count` steps: what as many calls of [`Integration::step`] do, in less time, since what one step hands

@@ -44,6 +44,10 @@ pub struct Statistics {
     pub flows: u64,
     /// Steps for which the core failed or could not be trusted, so that all unknowns were iterated on.
     pub fallbacks: u64,
+    /// Steps that failed and were taken as shorter ones.
+    pub halved: u64,
+    /// Steps that ended at the rounding floor, above the tolerance.
+    pub at_floor: u64,
     /// Steps that a step-size control has taken, of which outputs are interpolated.
     pub accepted: u64,
     /// Steps that it has tried in vain.

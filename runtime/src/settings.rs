@@ -23,6 +23,11 @@ pub struct Settings<T = f64> {
     /// Whether what rounding takes from a state when its increment is added is kept and added to the next one, where the
     /// unknowns are increments. Default true: rounding of the state no longer adds up over steps.
     pub compensated: bool,
+    /// How often a step that fails is halved: it is taken as 2, then 4, then 8 shorter ones and so on. Default 0; 20 at most.
+    ///
+    /// The scheme is another one over such a step: what it keeps only with equal steps, such as a bounded energy error of a
+    /// symmetric scheme, is lost to it. [`Statistics::halved`](crate::Statistics::halved) counts them.
+    pub halvings: u32,
 }
 
 impl<T: Real> Default for Settings<T> {
@@ -34,6 +39,7 @@ impl<T: Real> Default for Settings<T> {
             max_growths: 4,
             strategy: Strategy::Core,
             compensated: true,
+            halvings: 0,
         }
     }
 }

@@ -52,8 +52,8 @@ struct Solver<S: Correctable<T>, T: Real> {
 impl<S: Solvable<T>, T: Real> Stepper<S, T> {
     /// The same run with other settings of Newton's method.
     pub fn with_settings(mut self, settings: Settings<T>) -> Self {
-        self.method.core.newton = Newton::new(settings);
-        self.method.full.newton = Newton::new(settings);
+        self.method.set(settings);
+        self.halvings = settings.halvings;
         self
     }
 }
@@ -210,6 +210,12 @@ impl<S: Solvable<T>, T: Real> Method<T> for Implicit<S, T> {
         }
     }
 
+    fn with_step(&self, parameters: &<S::Model as Model<T>>::Parameters, h: T) -> Self {
+        let mut method = Self::new(parameters, h);
+        method.set(self.core.newton.settings);
+        method
+    }
+
     fn advance(
         &mut self,
         t: T,
@@ -264,6 +270,11 @@ impl<S: Solvable<T>, T: Real> Method<T> for Implicit<S, T> {
 }
 
 impl<S: Solvable<T>, T: Real> Implicit<S, T> {
+    fn set(&mut self, settings: Settings<T>) {
+        self.core.newton = Newton::new(settings);
+        self.full.newton = Newton::new(settings);
+    }
+
     #[cold]
     fn fall_back(
         &mut self,

@@ -78,16 +78,22 @@ fn write(node: &Node, texts: &[Text], name: &impl Fn(Leaf) -> String) -> Text {
         Node::Leaf(leaf) => Text::atom(name(*leaf)),
         Node::Sum(terms) => sum(terms, texts),
         Node::Product(factors) => product(factors, texts),
+        Node::Call(Elementary::Power, arguments) => {
+            let operands = arguments
+                .iter()
+                .map(|a| texts[a.index()].within(Binding::Atom));
+            Text {
+                text: operands.collect::<Vec<_>>().join("^"),
+                binding: Binding::Power,
+            }
+        }
         Node::Call(function, arguments) => {
             let arguments: Vec<_> = arguments
                 .iter()
                 .map(|a| texts[a.index()].text.clone())
                 .collect();
-            Text::atom(format!(
-                "{}({})",
-                function_name(*function),
-                arguments.join(", ")
-            ))
+            let open = opening(*function);
+            Text::atom(format!("{open}{})", arguments.join(", ")))
         }
     }
 }
@@ -189,24 +195,25 @@ fn product(factors: &[(NodeId, i32)], texts: &[Text]) -> Text {
     }
 }
 
-fn function_name(function: Elementary) -> String {
+/// What stands before the arguments.
+fn opening(function: Elementary) -> String {
     match function {
-        Elementary::Sin => "sin".into(),
-        Elementary::Cos => "cos".into(),
-        Elementary::Tan => "tan".into(),
-        Elementary::Asin => "asin".into(),
-        Elementary::Acos => "acos".into(),
-        Elementary::Atan => "atan".into(),
-        Elementary::Atan2 => "atan2".into(),
-        Elementary::Sinh => "sinh".into(),
-        Elementary::Cosh => "cosh".into(),
-        Elementary::Tanh => "tanh".into(),
-        Elementary::Exp => "exp".into(),
-        Elementary::Log => "log".into(),
-        Elementary::Sqrt => "sqrt".into(),
-        Elementary::Abs => "abs".into(),
-        Elementary::Sign => "sign".into(),
-        Elementary::Power => "pow".into(),
-        Elementary::Stumpff(n) => format!("c{n}"),
+        Elementary::Sin => "sin(".into(),
+        Elementary::Cos => "cos(".into(),
+        Elementary::Tan => "tan(".into(),
+        Elementary::Asin => "asin(".into(),
+        Elementary::Acos => "acos(".into(),
+        Elementary::Atan => "atan(".into(),
+        Elementary::Atan2 => "atan2(".into(),
+        Elementary::Sinh => "sinh(".into(),
+        Elementary::Cosh => "cosh(".into(),
+        Elementary::Tanh => "tanh(".into(),
+        Elementary::Exp => "exp(".into(),
+        Elementary::Log => "log(".into(),
+        Elementary::Sqrt => "sqrt(".into(),
+        Elementary::Abs => "abs(".into(),
+        Elementary::Sign => "sign(".into(),
+        Elementary::Power => "(".into(),
+        Elementary::Stumpff(n) => format!("stumpff({n}, "),
     }
 }

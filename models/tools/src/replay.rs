@@ -39,8 +39,8 @@ pub struct Replay {
     pub corrections: Vec<Correction>,
     /// The first expression of the file that has no finite value.
     pub culprit: Option<Culprit>,
-    /// The largest part h/2, h/4, … of the step that can be taken from the same state.
-    pub possible: Option<f64>,
+    /// The largest part h/2, h/4, … of the step that can be taken from the same state, and after how many halvings.
+    pub possible: Option<(f64, u32)>,
 }
 
 /// One iterate and what corrects it.
@@ -169,9 +169,10 @@ fn culprit(entry: &Entry, solver: &dyn AnySolver, at: &Point, x: &[f64]) -> Opti
     trace::first_not_finite(&model, form, &point).ok()?
 }
 
-/// The largest part of the step that can be taken, and as many of them as make the step.
-fn shorter(solver: &dyn AnySolver, run: &Run, at: &Point) -> Option<f64> {
-    (1..=HALVINGS).map(|k| 2u64.pow(k)).find_map(|parts| {
+/// The largest part of the step that can be taken, and as many of them as make the step; and after how many halvings.
+fn shorter(solver: &dyn AnySolver, run: &Run, at: &Point) -> Option<(f64, u32)> {
+    (1..=HALVINGS).find_map(|halvings| {
+        let parts = 2u64.pow(halvings);
         let h = run.h / parts as f64;
         let run = Run {
             start: at.state,
@@ -179,11 +180,14 @@ fn shorter(solver: &dyn AnySolver, run: &Run, at: &Point) -> Option<f64> {
             h,
             steps: parts,
             every: 0,
-            settings: Settings { ..run.settings },
+            settings: Settings {
+                halvings: 0,
+                ..run.settings
+            },
             ..*run
         };
         let outcome: Result<_, RunError> =
             solver.simulate(&run, &mut |_| ControlFlow::Continue(()));
-        outcome.is_ok().then_some(h)
+        outcome.is_ok().then_some((h, halvings))
     })
 }

@@ -26,13 +26,64 @@ fn a_step_too_long_is_shown_with_one_that_works() {
         "Newton diverged after",
         "the state before it: r = 0.47357, θ = 1.977311, p = -1.45089, L = -3.197161",
         "correction  largest  condition  furthest from 0",
-        "help: from this state, --step 0.25 works",
+        "help: from this state, --step 0.25 works; --halve 2 takes such steps where they are needed",
     ];
     assert_refused(&long, 1, &said);
     let from = "--start r=0.47357 --start θ=1.977311 --start p=-1.45089 --start L=-3.197161";
     succeed(&format!("simulate elastic {from} --step 0.25 --until 1 -q"));
     let half = residua(&format!("simulate elastic {from} --step 0.5 --until 1 -q"));
     assert_refused(&half, 1, &["step 0 at t = 0"]);
+    let halved = succeed(&format!(
+        "simulate elastic {from} --step 1 --until 1 --halve 2"
+    ));
+    assert!(
+        halved.stderr.contains(", 1 step taken as shorter ones\n"),
+        "{}",
+        halved.stderr
+    );
+}
+
+#[test]
+fn a_tolerance_below_rounding_is_reported() {
+    let outcome = succeed("simulate elastic --tolerance 1e-18 --until 1");
+    let said = "steps ended at the rounding floor, above the tolerance";
+    assert!(outcome.stderr.contains(said), "{}", outcome.stderr);
+    assert!(
+        !succeed("simulate elastic --until 1")
+            .stderr
+            .contains("floor")
+    );
+}
+
+#[test]
+fn a_state_that_cannot_be_known_is_refused() {
+    // 1e7 radians in a step: the attitude after it has lost more than half of its digits.
+    let outcome = residua("simulate spatial_exponential --start ω.z=1e9 --until 1 -q");
+    let said = [
+        "state R(1,1) at the end of the step is not known: on its way from the unknowns, rounding grows",
+        "a shorter step may do",
+        "help: from this state, --step 0.00125 works",
+    ];
+    assert_refused(&outcome, 1, &said);
+}
+
+#[test]
+fn single_precision_is_what_it_says() {
+    let run =
+        |options: &str| succeed(&format!("simulate planar_reduced --until 1 {options}")).stdout;
+    let [single, double] = [run("--single"), run("")];
+    assert_ne!(single, double);
+    let last = |rows: &str| -> Vec<f64> {
+        let last = rows.lines().last().unwrap();
+        last.split(',')
+            .map(|value| value.parse().unwrap())
+            .collect()
+    };
+    for (single, double) in last(&single).iter().zip(last(&double)) {
+        assert!((single - double).abs() < 1e-4, "{single} {double}");
+    }
+    let other = residua("simulate planar_reduced --single --scheme rk4");
+    assert_refused(&other, 2, &["--single are of Newton's method"]);
 }
 
 #[test]

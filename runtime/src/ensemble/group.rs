@@ -373,4 +373,6 @@ fn add(sum: &mut Statistics, more: Statistics) {
     sum.iterations += more.iterations;
     sum.residuals += more.residuals;
     sum.fallbacks += more.fallbacks;
+    sum.halved += more.halved;
+    sum.at_floor += more.at_floor;
 }

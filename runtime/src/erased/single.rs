@@ -29,6 +29,7 @@ pub(super) fn simulate<S: Solvable<f32>>(
         max_growths: run.settings.max_growths,
         strategy: run.settings.strategy,
         compensated: run.settings.compensated,
+        halvings: run.settings.halvings,
     };
     let mut widened = Widened {
         integration: stepper.with_settings(settings),

@@ -20,6 +20,7 @@ const DEFAULT: Settings = Settings {
     max_growths: 4,
     strategy: crate::Strategy::Core,
     compensated: true,
+    halvings: 0,
 };
 
 /// Runs one "step" from `start` to the root.

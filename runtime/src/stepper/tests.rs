@@ -130,6 +130,7 @@ fn a_tolerance_of_zero_takes_the_step_to_the_floor() {
     for _ in 0..1000 {
         assert!(stepper.step().unwrap().iterations <= 7);
     }
+    assert!(stepper.statistics().at_floor > 900);
 }
 
 #[test]
@@ -155,4 +156,35 @@ fn many_steps_in_one_call_are_the_same_steps() {
             assert_eq!(together.statistics(), apart.statistics(), "{count}");
         }
     }
+}
+
+#[test]
+fn a_step_that_fails_is_halved_until_it_does_not() {
+    // Enough for a step of 0.1, not for one of 0.8.
+    let settings = Settings {
+        max_iterations: 3,
+        halvings: 3,
+        ..Settings::default()
+    };
+    let long = 0.8;
+    let strict = Settings {
+        halvings: 2,
+        ..settings
+    };
+    let mut refused = pendulum::<f64>([1.0, 1.0], long).with_settings(strict);
+    let start = *refused.state_array();
+    assert_eq!(refused.step().unwrap_err().step, 0);
+    assert_eq!(refused.state_array(), &start);
+    assert_eq!(refused.statistics().halved, 0);
+
+    let mut halved = pendulum::<f64>([1.0, 1.0], long).with_settings(settings);
+    let mut short = pendulum::<f64>([1.0, 1.0], long / 8.0).with_settings(settings);
+    halved.step().unwrap();
+    advance(&mut short, 8);
+    assert_eq!(halved.state_array(), short.state_array());
+    assert_eq!((halved.steps(), halved.t()), (1, long));
+    assert_eq!(
+        (halved.statistics().halved, short.statistics().halved),
+        (1, 0)
+    );
 }

@@ -141,8 +141,7 @@ impl Verdict {
 }
 
 /// Functions in the formulas of the generator.
-pub const FUNCTIONS: &str =
-    "c1(a²) stands for sin(a)/a and c2(a²) for (1 − cos a)/a², both without a gap at a = 0.";
+pub const FUNCTIONS: &str = "stumpff(1, a²) stands for sin(a)/a and stumpff(2, a²) for (1 − cos a)/a², both without a gap at a = 0.";
 
 const CHARTS: &str = "Line 2 of Eq. 84, Eqs. 86 and 87 as printed fit each other: they are a scheme for the Cardan angles of \
     R = Rz Ry Rx, and right in the model spatial_cardan_zyx. They contradict Eqs. 10, 12 and 15, lines 1 and 3 of Eq. 84 and \

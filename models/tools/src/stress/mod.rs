@@ -28,6 +28,7 @@ pub use cases::Case;
 pub use cases::Kind;
 pub use cases::cases;
 pub use format::Format;
+pub use running::Running;
 pub use twin::Exact;
 pub use twin::Twin;
 use twin::off;

@@ -24,6 +24,7 @@ const RUN: Run = Run {
         max_growths: 4,
         strategy: crate::Strategy::Core,
         compensated: true,
+        halvings: 0,
     },
 };
 

@@ -83,7 +83,10 @@ fn text(entry: &Entry, solver: &dyn AnySolver, run: &Run, replay: &Replay) -> St
         );
     }
     let _ = match replay.possible {
-        Some(h) => write!(text, "\nhelp: from this state, --step {h} works"),
+        Some((h, halvings)) => write!(
+            text,
+            "\nhelp: from this state, --step {h} works; --halve {halvings} takes such steps where they are needed"
+        ),
         None => write!(
             text,
             "\nhelp: no shorter step works either, down to {:.1e}",

@@ -68,6 +68,9 @@ pub struct Simulate {
     /// Let the rounding of the sums of increments add up
     #[arg(long)]
     uncompensated: bool,
+    /// Take a step that fails as 2, 4, … 2ᴺ shorter ones before giving up
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u32).range(..=20))]
+    halve: u32,
     /// Compute in single precision (f32), as small processors do; tolerances below 7.7e-6 are out of its reach
     #[arg(long)]
     single: bool,
@@ -216,6 +219,7 @@ impl Simulate {
                 tolerance: self.tolerance.unwrap_or(TOLERANCE),
                 strategy: self.strategy.unwrap_or(StrategyName::Core).into(),
                 compensated: !self.uncompensated,
+                halvings: self.halve,
                 ..Settings::default()
             },
         }
@@ -288,11 +292,22 @@ fn pace(plan: &Plan, statistics: &Statistics, elapsed: Duration) -> String {
         let (accepted, rejected) = (statistics.accepted, statistics.rejected);
         text = format!("{text}, {accepted} steps between of any length, {rejected} rejected");
     }
-    match statistics.fallbacks {
-        0 => text,
-        1 => format!("{text}, 1 step with all unknowns, where the core could not be trusted"),
-        n => format!("{text}, {n} steps with all unknowns, where the core could not be trusted"),
+    let notable = [
+        (
+            statistics.fallbacks,
+            "with all unknowns, where the core could not be trusted",
+        ),
+        (statistics.halved, "taken as shorter ones"),
+        (
+            statistics.at_floor,
+            "ended at the rounding floor, above the tolerance",
+        ),
+    ];
+    for (count, what) in notable.iter().filter(|(count, _)| *count > 0) {
+        let plural = if *count == 1 { "" } else { "s" };
+        text = format!("{text}, {count} step{plural} {what}");
     }
+    text
 }
 
 fn iterations(statistics: &Statistics) -> Option<String> {

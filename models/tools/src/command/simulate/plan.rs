@@ -49,9 +49,14 @@ pub fn plan(options: &Simulate, model: &'static Catalogued) -> Result<Plan, Fail
         return Err(Failure::input(message));
     }
     let is_newton = options.scheme == NEWTON;
-    if !is_newton && (options.strategy.is_some() || options.uncompensated || options.single) {
+    if !is_newton
+        && (options.strategy.is_some()
+            || options.uncompensated
+            || options.halve > 0
+            || options.single)
+    {
         return Err(Failure::input(format!(
-            "--strategy, --uncompensated and --single are of Newton's method on the discrete equations, and {} is another scheme",
+            "--strategy, --uncompensated, --halve and --single are of Newton's method on the discrete equations, and {} is another scheme",
             options.scheme
         )));
     }
