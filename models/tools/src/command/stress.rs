@@ -9,7 +9,8 @@ use rayon::prelude::*;
 use residua::erased::AnySolver;
 use residua_models::{CATALOGUE, Entry, SCENES, find};
 use residua_tools::stress::{
-    Case, Kind, Twin, Verdict, Wrong, cases, judge, judge_in_single, twins,
+    Case, Endurance, Kind, Twin, Verdict, Wrong, cases, endure, in_other_units, judge,
+    judge_in_single, twins,
 };
 use std::io::{self, IsTerminal};
 
@@ -19,6 +20,10 @@ const STEPS: u64 = 20;
 /// Runs at random, of each solver, and in short.
 const RANDOM: usize = 400;
 const FEW_RANDOM: usize = 40;
+
+/// Steps of the long run of each solver, and in short.
+const LONG: u64 = 10_000_000;
+const NOT_SO_LONG: u64 = 20_000;
 
 /// Of the runs that are not at random, one in so many is made in short.
 const SHORT_SHARE: usize = 7;
@@ -57,6 +62,13 @@ impl Stress {
             entries.extend(CATALOGUE.iter().chain(SCENES));
         }
         let mut headings = vec!["model", "runs"];
+        let mut long = Table::new(&[
+            "model",
+            "form",
+            "steps",
+            "",
+            "largest drift of an invariant",
+        ]);
         headings.extend(Kind::ALL.map(Kind::name));
         headings.extend(["f32", "wrong"]);
         let mut table = Table::new(&headings);
@@ -74,6 +86,7 @@ impl Stress {
             entry,
             tallies,
             found,
+            endured,
         } in &judged
         {
             let all = tallies.iter().fold(Tally::default(), Tally::plus);
@@ -82,15 +95,20 @@ impl Stress {
             row.push(all.wrong.to_string());
             table.row(row);
             wrong += all.wrong;
+            for (form, endurance) in endured {
+                let (row, is_wrong) = self::long(entry, form, endurance);
+                long.row(row);
+                wrong += usize::from(is_wrong);
+            }
             for text in found.iter().take(SHOWN) {
                 eprintln!("{text}");
             }
         }
-        print!("{table}");
+        println!("{table}\n{long}");
         let all = judged.iter().flat_map(|judged| &judged.tallies);
         let all = all.fold(Tally::default(), Tally::plus);
         println!(
-            "\n{} runs of up to {STEPS} steps: {} right (r), {} refused (x), {} that 31 digits cannot tell (?), {} wrong (!)",
+            "{} runs of up to {STEPS} steps: {} right (r), {} refused (x), {} that 31 digits cannot tell (?), {} wrong (!)",
             all.runs(),
             all.right,
             all.refused,
@@ -110,16 +128,23 @@ impl Stress {
             entry,
             tallies: [Tally::default(); COLUMNS],
             found: Vec::new(),
+            endured: Vec::new(),
         };
         let random = if self.short { FEW_RANDOM } else { RANDOM };
         let share = if self.short { SHORT_SHARE } else { 1 };
         for (solver, twin) in &twins(entry) {
-            let cases = cases(entry.catalogued, random);
+            let mut cases = cases(entry.catalogued, random);
+            let at_random = cases.iter().filter(|case| case.kind == Kind::Random);
+            cases.extend(in_other_units(entry, at_random));
+            let is_kept = |i, kind| matches!(kind, Kind::Random | Kind::Units) || i % share == 0;
             let kept = cases.iter().enumerate();
-            let kept = kept.filter(|(i, case)| case.kind == Kind::Random || i % share == 0);
+            let kept = kept.filter(|(i, case)| is_kept(*i, case.kind));
             for (_, case) in kept {
                 judged.take(*solver, twin, case);
             }
+            let steps = if self.short { NOT_SO_LONG } else { LONG };
+            let endurance = endure(entry, *solver, twin, steps);
+            judged.endured.push((solver.solver().form, endurance));
         }
         judged
     }
@@ -130,6 +155,8 @@ struct Judged<'e> {
     tallies: [Tally; COLUMNS],
     /// The wrong steps.
     found: Vec<String>,
+    /// The long run of each form.
+    endured: Vec<(&'static str, Endurance)>,
 }
 
 impl Judged<'_> {
@@ -155,6 +182,27 @@ impl Judged<'_> {
             }
         }
     }
+}
+
+/// A row of the second table, and whether the run was wrong.
+fn long(entry: &Entry, form: &str, endurance: &Endurance) -> (Vec<String>, bool) {
+    let (word, is_wrong) = match endurance.verdict {
+        Verdict::Right => ("right", false),
+        Verdict::Refused => ("refused", false),
+        Verdict::Open => ("?", false),
+        Verdict::Wrong(_) => ("wrong", true),
+    };
+    let drift = endurance
+        .drift
+        .map_or(String::new(), |(name, drift)| format!("{drift:.1e} {name}"));
+    let row = vec![
+        entry.name().to_owned(),
+        form.to_owned(),
+        endurance.steps.to_string(),
+        word.to_owned(),
+        drift,
+    ];
+    (row, is_wrong)
 }
 
 /// The run as options of `residua simulate`, and what is wrong with it.

@@ -35,6 +35,8 @@ pub enum Kind {
     Step,
     /// All parameters, states and the step at random.
     Random,
+    /// The same at random, in other units.
+    Units,
     /// One parameter, 1e-8 to 1e8 times what it is, 0 or negative.
     Parameter,
     /// One component of the state: 0, the least number, huge, an angle or a direction next to a special one.
@@ -47,9 +49,10 @@ pub enum Kind {
 
 impl Kind {
     /// All, in the order of the table.
-    pub const ALL: [Kind; 6] = [
+    pub const ALL: [Kind; 7] = [
         Kind::Step,
         Kind::Random,
+        Kind::Units,
         Kind::Parameter,
         Kind::State,
         Kind::Spin,
@@ -61,6 +64,7 @@ impl Kind {
         match self {
             Kind::Step => "step",
             Kind::Random => "random",
+            Kind::Units => "units",
             Kind::Parameter => "parameters",
             Kind::State => "states",
             Kind::Spin => "rates",

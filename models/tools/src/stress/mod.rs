@@ -4,9 +4,11 @@
 //! double-double numbers, from the state that it began with.
 
 mod cases;
+mod endurance;
 mod format;
 mod running;
 mod twin;
+mod units;
 
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
@@ -21,17 +23,19 @@ use residua::erased::AnySolver;
 use residua::erased::Observer;
 use residua::erased::Point;
 use residua::erased::Run;
-
 use residua_models::Entry;
 
 pub use cases::Case;
 pub use cases::Kind;
 pub use cases::cases;
+pub use endurance::Endurance;
+pub use endurance::endure;
 pub use format::Format;
 pub use running::Running;
 pub use twin::Exact;
 pub use twin::Twin;
 use twin::off;
+pub use units::in_other_units;
 
 /// How a run went.
 #[derive(Clone, Debug, PartialEq)]
