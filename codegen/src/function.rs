@@ -51,6 +51,10 @@ pub enum Function {
     Vee,
     /// `cay(A) = (I − A)⁻¹(I + A)` of a skew 2×2 or 3×3 matrix.
     Cay,
+    /// `dexp(A) = Σ Aʲ/(j + 1)!` of a skew 3×3 matrix.
+    Dexp,
+    /// `dexpinv(A) = dexp(A)⁻¹`
+    Dexpinv,
     /// `Rx(a)`: rotation about x.
     Rx,
     /// `Ry(a)`: rotation about y.
@@ -93,6 +97,8 @@ pub const TABLE: &[(&str, Function, usize)] = &[
     ("S", Function::Skew, 1),
     ("vee", Function::Vee, 1),
     ("cay", Function::Cay, 1),
+    ("dexp", Function::Dexp, 1),
+    ("dexpinv", Function::Dexpinv, 1),
     ("Rx", Function::Rx, 1),
     ("Ry", Function::Ry, 1),
     ("Rz", Function::Rz, 1),

@@ -65,6 +65,7 @@ impl Typing<'_> {
         Some(match call.function {
             Function::Exp if is_matrix => self.rotation(call, args[0])?,
             Function::Cay => self.rotation(call, args[0])?,
+            Function::Dexp | Function::Dexpinv => self.tangent(call, args[0])?,
             Function::Sin
             | Function::Cos
             | Function::Tan
@@ -190,6 +191,17 @@ impl Typing<'_> {
                 Some(Type::uniform(shape, Some(Unit::ONE)))
             }
             _ => self.wrong(call, id, "a skew 2×2 or 3×3 matrix such as S(v)"),
+        }
+    }
+
+    /// A map of angular velocities; in the plane it is 1, and nobody needs it.
+    fn tangent(&mut self, call: Call, id: ExprId) -> Option<Type> {
+        match self.ty(id).clone() {
+            Type::Matrix(shape, units) if shape == SPACE => {
+                self.dimensionless(call, id, &units);
+                Some(Type::uniform(shape, Some(Unit::ONE)))
+            }
+            _ => self.wrong(call, id, "a skew 3×3 matrix such as S(v)"),
         }
     }
 

@@ -20,6 +20,7 @@ fn every_function(dag: &mut Dag) -> Vec<NodeId> {
         Elementary::Tanh,
         Elementary::Exp,
         Elementary::Abs,
+        Elementary::Sign,
         Elementary::Stumpff(0),
         Elementary::Stumpff(1),
         Elementary::Stumpff(2),

@@ -39,6 +39,8 @@ pub fn apply(dag: &mut Dag, function: Function, arguments: &[Matrix]) -> Result<
         Function::Exp if first.shape.is_scalar() => scalar(dag, Elementary::Exp),
         Function::Exp => axis(dag, "exp", first).map(|v| exponential(dag, &v)),
         Function::Cay => axis(dag, "cay", first).map(|v| cayley(dag, &v)),
+        Function::Dexp => axis(dag, "dexp", first).map(|v| tangent(dag, &v)),
+        Function::Dexpinv => axis(dag, "dexpinv", first).map(|v| tangent_inverse(dag, &v)),
         Function::Sinc => Ok(small_angle(dag, 1, first.entries[0])),
         Function::Cosc => Ok(small_angle(dag, 2, first.entries[0])),
         Function::Stumpff => {
@@ -151,6 +153,26 @@ fn cayley(dag: &mut Dag, v: &Matrix) -> Matrix {
         return Matrix::from_rows([[cos, minus_sin], [sin, cos]]);
     }
     rodrigues(dag, v, factor, factor)
+}
+
+/// dexp(S(v)) = I + c₂(v·v) S(v) + c₃(v·v) S(v)²: exp(S(v + dv)) = exp(S(dexp(S(v)) dv)) exp(S(v)) to first order (Iserles,
+/// Munthe-Kaas, Nørsett and Zanna, Lie-group methods, Acta Numerica 9, 2000, appendix B).
+fn tangent(dag: &mut Dag, v: &Matrix) -> Matrix {
+    let square = v.dot(dag, v);
+    let linear = dag.call(Elementary::Stumpff(2), vec![square]);
+    let quadratic = dag.call(Elementary::Stumpff(3), vec![square]);
+    rodrigues(dag, v, linear, quadratic)
+}
+
+/// Its inverse I − S(v)/2 + e S(v)² with e = (1 − c₁/(2 c₂))/(v·v) = (c₃ − 2 c₄)/(2 c₂), which has no gap at 0.
+fn tangent_inverse(dag: &mut Dag, v: &Matrix) -> Matrix {
+    let square = v.dot(dag, v);
+    let [second, third, fourth] = [2, 3, 4].map(|n| dag.call(Elementary::Stumpff(n), vec![square]));
+    let above = dag.sum([(rational(1), third), (rational(-2), fourth)]);
+    let below = dag.scale(rational(2), second);
+    let quadratic = dag.div(above, below);
+    let minus_half = dag.constant(num_rational::BigRational::new((-1).into(), 2.into()));
+    rodrigues(dag, v, minus_half, quadratic)
 }
 
 /// I + a S(v) + b S(v)²

@@ -1,5 +1,6 @@
 use super::*;
 use crate::dag::Leaf;
+use crate::dag::Number;
 use crate::sample::Sample;
 
 fn x(dag: &mut Dag, i: usize) -> NodeId {
@@ -169,4 +170,108 @@ fn normal_form_preserves_values() {
             );
         }
     }
+}
+
+/// Functions of exact numbers and of parts of π are numbers where they are known to be, and no other ones.
+#[test]
+fn functions_of_numbers_are_what_they_are() {
+    let unary = [
+        Elementary::Sin,
+        Elementary::Cos,
+        Elementary::Tan,
+        Elementary::Asin,
+        Elementary::Acos,
+        Elementary::Atan,
+        Elementary::Sinh,
+        Elementary::Cosh,
+        Elementary::Tanh,
+        Elementary::Exp,
+        Elementary::Log,
+        Elementary::Sqrt,
+        Elementary::Abs,
+        Elementary::Sign,
+        Elementary::Stumpff(0),
+        Elementary::Stumpff(3),
+    ];
+    let numbers = [
+        (-9, 4),
+        (-2, 1),
+        (-1, 1),
+        (0, 1),
+        (1, 4),
+        (1, 2),
+        (1, 1),
+        (2, 1),
+        (9, 4),
+    ];
+    let check = |dag: &Dag, root: NodeId, exact: f64, what: &str| {
+        let found = dag.evaluate(|_| f64::NAN)[root.index()];
+        let is_right = (found - exact).abs() <= 1e-14 * exact.abs().max(1.0);
+        assert!(is_right || !exact.is_finite(), "{what}: {found} {exact}");
+    };
+    for function in unary {
+        for (above, below) in numbers {
+            let mut dag = Dag::new();
+            let value = above as f64 / below as f64;
+            let number = dag.constant(ratio(above, below));
+            let root = dag.call(function, vec![number]);
+            let exact = f64::call(function, value, None);
+            check(&dag, root, exact, &format!("{function:?} {value}"));
+            let pi = dag.pi();
+            let root = dag.scale(ratio(above, below), pi);
+            let root = dag.call(function, vec![root]);
+            let exact = f64::call(function, value * core::f64::consts::PI, None);
+            if exact.abs() < 1e10 {
+                check(&dag, root, exact, &format!("{function:?} {value} π"));
+            }
+        }
+    }
+    for (y, x) in [(0, 1), (0, -1), (1, 0), (-1, 0), (2, 3), (0, 2)] {
+        let mut dag = Dag::new();
+        let arguments = vec![dag.integer(y), dag.integer(x)];
+        let root = dag.call(Elementary::Atan2, arguments);
+        let exact = f64::atan2(y as f64, x as f64);
+        check(&dag, root, exact, &format!("atan2({y}, {x})"));
+    }
+}
+
+#[test]
+fn what_is_known_is_folded() {
+    let mut dag = Dag::new();
+    let (zero, one) = (dag.integer(0), dag.integer(1));
+    for function in [
+        Elementary::Sin,
+        Elementary::Tan,
+        Elementary::Asin,
+        Elementary::Atan,
+        Elementary::Sinh,
+        Elementary::Tanh,
+        Elementary::Sqrt,
+    ] {
+        assert_eq!(dag.call(function, vec![zero]), zero, "{function:?}");
+    }
+    for function in [Elementary::Cos, Elementary::Cosh, Elementary::Exp] {
+        assert_eq!(dag.call(function, vec![zero]), one, "{function:?}");
+    }
+    for function in [Elementary::Log, Elementary::Acos] {
+        assert_eq!(dag.call(function, vec![one]), zero, "{function:?}");
+    }
+    let (quarters, halves) = (dag.constant(ratio(9, 4)), dag.constant(ratio(3, 2)));
+    assert_eq!(dag.call(Elementary::Sqrt, vec![quarters]), halves);
+    assert_eq!(dag.call(Elementary::Atan2, vec![zero, one]), zero);
+}
+
+#[test]
+fn powers_of_products_and_halves_keep_their_value() {
+    let mut dag = Dag::new();
+    let (a, b) = (x(&mut dag, 0), x(&mut dag, 1));
+    let product = dag.mul(a, b);
+    let cube = dag.product([(product, 3)]);
+    let exponent = dag.constant(ratio(3, 2));
+    let root = dag.power(a, exponent);
+    let values = dag.evaluate(|leaf| if leaf == Leaf::State(0) { 4.0 } else { 3.0 });
+    assert_eq!(values[cube.index()], 1728.0);
+    assert_eq!(values[root.index()], 8.0);
+    let inverse = dag.product([(product, -2), (a, 2)]);
+    assert_eq!(inverse, dag.product([(b, -2)]));
 }
