@@ -2,10 +2,20 @@
 
 use proc_macro2::TokenStream;
 use proc_macro2::TokenTree;
+use residua_codegen::Quantity;
 use residua_codegen::analyse;
 use residua_codegen::analyse_scene;
 use residua_codegen::ast::KEYWORDS;
+use residua_codegen::compile;
+use residua_codegen::compile_scene;
+use residua_codegen::evaluate;
+use residua_codegen::expand;
+use residua_codegen::model::Shape;
 use residua_codegen::source::lex;
+use residua_codegen::source::read_scene;
+use residua_codegen::source::read_source;
+use std::fs;
+use std::path::Path;
 
 /// A model with every statement of the language.
 const GOOD: &str = include_str!("complete.model.in");
@@ -267,4 +277,42 @@ fn mutated_scenes_are_survived() {
         scenes += usize::from(scene_survives(&words.join(" ")));
     }
     assert!(scenes > 10, "{scenes}");
+}
+
+/// What a fuzzer has found worth keeping, in `tests/fuzz/corpus`: `cargo +nightly fuzz run --fuzz-dir tests/fuzz model` goes on
+/// from there.
+#[test]
+fn inputs_that_were_found_are_survived() {
+    let corpus = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/fuzz/corpus");
+    let mut files = 0;
+    for target in ["model", "parse", "scene", "value"] {
+        for entry in fs::read_dir(corpus.join(target)).expect(target) {
+            let bytes = fs::read(entry.expect("a file").path()).expect("a file");
+            files += 1;
+            if let Ok(tokens) = read_source(&bytes) {
+                let code = || match compile("fuzz", tokens.clone()) {
+                    Ok(code) => code.to_string(),
+                    Err(_) => expand("fuzz", tokens.clone()).to_string(),
+                };
+                assert_eq!(code(), code());
+            }
+            if let Ok(tokens) = read_scene(&bytes) {
+                let read = |_: &str| Ok(format!("model! {{ {GOOD} }}"));
+                if let Err(errors) = compile_scene("fuzz", tokens, &read) {
+                    assert!(!errors.to_string().is_empty());
+                }
+            }
+            if let Ok(text) = core::str::from_utf8(&bytes) {
+                let target = Quantity {
+                    name: "x",
+                    shape: Shape::SCALAR,
+                    unit: "1",
+                };
+                if let Err(message) = evaluate(text, target, &[]) {
+                    assert!(!message.is_empty());
+                }
+            }
+        }
+    }
+    assert!(files >= 150, "{files}");
 }

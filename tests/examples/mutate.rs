@@ -1,5 +1,5 @@
 //! Breaks the code in every way of [`residua_tests::mutations`], one at a time, in a copy of the workspace, and sees which test
-//! notices: `cargo run --release -p residua-tests --example mutate [WORDS]` for all, or those whose rule has the words.
+//! notices: `cargo run --release -p residua-tests --example mutate [WORDS]` for all, or those whose rule or file has the words.
 //!
 //! It takes a quarter of an hour. The table goes to `tests/MUTATIONS.md`; with words, to the screen only.
 
@@ -53,7 +53,9 @@ fn main() -> io::Result<()> {
         file,
         from,
         to,
-    } in ALL.iter().filter(|m| m.rule.contains(&words))
+    } in ALL
+        .iter()
+        .filter(|m| m.rule.contains(&words) || m.file.contains(&words))
     {
         let path = copy.join(file);
         let text = fs::read_to_string(&path)?;
@@ -114,6 +116,7 @@ fn failing(workspace: &Path, attempt: &[&str]) -> io::Result<Option<String>> {
         .args(["--", "--skip", "every_mutation_has_its_place"])
         .current_dir(workspace)
         .env("CARGO_TARGET_DIR", workspace.join("../target"))
+        .env("CARGO_PROFILE_DEV_OPT_LEVEL", "1")
         .output()?;
     if output.status.success() {
         return Ok(None);
