@@ -118,12 +118,9 @@ fn they_are_what_they_are_called() {
                     "{angle} {axis:?}"
                 );
             }
-            for i in 0..9 {
+            for (i, entry) in identity.iter().enumerate() {
                 let one = Double::from(if i % 4 == 0 { 1.0 } else { 0.0 });
-                assert!(
-                    (identity[i] - one).to_f64().abs() < 1e-26,
-                    "{angle} {axis:?}"
-                );
+                assert!((*entry - one).to_f64().abs() < 1e-26, "{angle} {axis:?}");
             }
             // (I − S) cay = I + S.
             let s = skew(v);

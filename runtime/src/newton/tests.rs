@@ -4,10 +4,13 @@ use crate::Failure;
 use crate::Place;
 use crate::Report;
 use crate::Settings;
+use crate::Statistics;
 use crate::StepError;
 use crate::Stepper;
 use crate::Success;
 use crate::description::Unknown;
+use crate::model::System;
+use crate::newton::Newton;
 use crate::specimens::root::Evaluated;
 use crate::specimens::root::Flat;
 use crate::specimens::root::Problem;
@@ -333,4 +336,66 @@ fn a_double_root_takes_an_iteration_per_bit() {
     let (root, outcome) = solve!(DoubleRoot, [1.0], DEFAULT);
     assert_eq!(outcome.unwrap().iterations, 40);
     assert!(root[0] <= DEFAULT.tolerance);
+}
+
+/// Nothing solves it, however small the residual: it stays.
+struct Stays;
+impl Problem<1> for Stays {
+    fn evaluate(_x: [f64; 1]) -> Evaluated<1> {
+        ([1e-11], [[1.0]])
+    }
+}
+
+#[test]
+fn small_corrections_are_no_floor_where_the_residual_is_no_rounding() {
+    let (_, outcome) = solve!(Stays, [1.0], DEFAULT);
+    assert_eq!(outcome.unwrap_err().fault.failure, Failure::Diverged);
+}
+
+/// Two equations that are one but for the last digits: rounding moves the unknowns by a twentieth.
+struct Parallel;
+impl Problem<2> for Parallel {
+    fn evaluate(_x: [f64; 2]) -> Evaluated<2> {
+        ([0.0, 5e-15], [[1.0, 1.0], [1.0, 1.0 + 1e-13]])
+    }
+}
+
+#[test]
+fn a_residual_of_rounding_is_no_floor_where_unknowns_have_no_digits() {
+    let (_, outcome) = solve!(Parallel, [1.0, 1.0], DEFAULT);
+    assert_eq!(outcome.unwrap_err().fault.failure, Failure::Diverged);
+}
+
+/// A residual without a value, and no Jacobian to speak of.
+struct Nowhere;
+impl Problem<1> for Nowhere {
+    fn evaluate(_x: [f64; 1]) -> Evaluated<1> {
+        ([f64::NAN], [[0.0]])
+    }
+}
+
+#[test]
+fn a_residual_without_a_value_comes_before_a_singular_jacobian() {
+    let (_, outcome) = solve!(Nowhere, [1.0], DEFAULT);
+    assert_eq!(outcome.unwrap_err().fault.failure, Failure::NotFinite);
+}
+
+#[test]
+fn corrections_in_closed_form_are_not_trusted_where_the_pivot_cancels() {
+    use crate::specimens::pendulum;
+
+    // The determinant is 1 + h² c cos θ/4 for θ half way.
+    let h = 0.5;
+    for (c, is_trusted) in [(4.0 / (h * h), false), (1.0, true)] {
+        let parameters = pendulum::Parameters {
+            c,
+            ..pendulum::Parameters::default()
+        };
+        let scene = <pendulum::Next as System<f64>>::scene(&parameters, h);
+        let state = [std::f64::consts::PI, 0.0];
+        let step = <pendulum::Next as System<f64>>::step(&scene, 0.0, &state);
+        let mut newton = Newton::<pendulum::Next, f64>::new(DEFAULT);
+        let correction = newton.correction(&scene, &step, &state, &mut Statistics::default());
+        assert_eq!(correction.is_some(), is_trusted, "{c}");
+    }
 }

@@ -188,3 +188,13 @@ fn a_step_that_fails_is_halved_until_it_does_not() {
         (1, 0)
     );
 }
+
+#[test]
+fn what_was_learnt_can_be_forgotten() {
+    let mut stepper = pendulum::<f64>([1.0, 1.0], H);
+    advance(&mut stepper, 20);
+    let newton = &mut stepper.method.core.newton;
+    assert!(newton.trusted(10) > 0);
+    newton.forget();
+    assert_eq!(newton.trusted(10), 0);
+}
