@@ -305,4 +305,6 @@ impl<S: Solvable<T>, T: Real> Implicit<S, T> {
 }
 
 #[cfg(test)]
+mod guards;
+#[cfg(test)]
 mod tests;

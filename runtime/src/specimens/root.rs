@@ -23,8 +23,23 @@ pub(crate) trait Problem<const N: usize> {
         len: N,
         measure: Some(0..N),
     }];
+    /// Some unknowns were eliminated.
+    const HAS_CORE: bool = false;
+    /// The state after the step is that before it and x.
+    const IS_INCREMENT: bool = false;
     /// r and J at x.
     fn evaluate(x: [f64; N]) -> Evaluated<N>;
+    /// The state after the step.
+    fn next(known: [f64; N], x: [f64; N]) -> [f64; N] {
+        match Self::IS_INCREMENT {
+            true => core::array::from_fn(|i| known[i] + x[i]),
+            false => x,
+        }
+    }
+    /// How much rounding of eliminated unknowns has grown.
+    fn growth() -> f64 {
+        0.0
+    }
 }
 
 /// The system of the problem `P`.
@@ -102,6 +117,8 @@ impl<P: Problem<N>, const N: usize> System<f64> for Root<P, N> {
     type Step = [f64; N];
     type Core = Self;
     const SOLVER: usize = 0;
+    const HAS_CORE: bool = P::HAS_CORE;
+    const HAS_CHANGE: bool = P::IS_INCREMENT;
     fn zeros() -> ([f64; N], [[f64; N]; N]) {
         ([0.0; N], [[0.0; N]; N])
     }
@@ -124,7 +141,13 @@ impl<P: Problem<N>, const N: usize> System<f64> for Root<P, N> {
     ) {
         (*r, *j) = P::evaluate(*x);
     }
-    fn next(_scene: &(), _step: &[f64; N], x: &[f64; N]) -> [f64; N] {
+    fn next(_scene: &(), step: &[f64; N], x: &[f64; N]) -> [f64; N] {
+        P::next(*step, *x)
+    }
+    fn change(_scene: &(), _step: &[f64; N], x: &[f64; N]) -> [f64; N] {
         *x
+    }
+    fn growth(_scene: &(), _step: &[f64; N], _x: &[f64; N]) -> f64 {
+        P::growth()
     }
 }
