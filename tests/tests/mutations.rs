@@ -1,4 +1,4 @@
-//! The ways to break the code are still there to be taken.
+//! The ways to break the code are still there to be taken, and a test has noticed each.
 
 use residua_tests::mutations::{ALL, Mutation};
 use std::fs;
@@ -12,4 +12,24 @@ fn every_mutation_has_its_place() {
         assert_eq!(text.matches(from).count(), 1, "{file}: {from}");
         assert_ne!(from, to);
     }
+}
+
+#[test]
+fn every_mutation_was_noticed() {
+    let table = include_str!("../MUTATIONS.md");
+    for Mutation { rule, file, .. } in ALL {
+        let start = format!("| {rule} | `{file}` | `");
+        let rows: Vec<&str> = table
+            .lines()
+            .filter(|row| row.starts_with(&start))
+            .collect();
+        assert!(!rows.is_empty(), "{rule} is not in the table");
+        for row in rows {
+            assert!(!row.contains("the build alone"), "{row}");
+        }
+    }
+    assert_eq!(
+        table.lines().filter(|row| row.starts_with("| ")).count(),
+        ALL.len() + 1
+    );
 }
