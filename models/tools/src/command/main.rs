@@ -12,6 +12,7 @@ mod explain;
 mod expression;
 mod failure;
 mod list;
+mod motion;
 mod name;
 mod new;
 mod report;

@@ -5,7 +5,7 @@ mod show;
 
 use crate::assignment::{Assignment, parse};
 use crate::failure::Failure;
-use crate::simulate::plan::assigned;
+use crate::motion::assigned;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use residua_models::find;

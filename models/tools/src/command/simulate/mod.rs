@@ -2,13 +2,13 @@
 
 mod drift;
 mod failed;
-pub mod plan;
+mod plan;
 mod recorder;
 mod rows;
 mod trace;
 
-use crate::assignment::{Assignment, parse};
 use crate::failure::Failure;
+use crate::motion::Motion;
 use crate::notation;
 use crate::plot;
 use crate::plot::Figure;
@@ -19,7 +19,7 @@ use recorder::Recorder;
 use residua::description::Description;
 use residua::erased::{Observer, Run, Sample};
 use residua::{Catalogued, RunError, Settings, Statistics, Strategy};
-use residua_models::{Entry, find};
+use residua_models::Entry;
 use residua_tools::columns::header;
 use rows::Rows;
 use std::fs::File;
@@ -32,28 +32,12 @@ use trace::Trace;
 /// Run a model and write its states, observables and invariants
 #[derive(Args)]
 pub struct Simulate {
-    /// A model or a scene from `residua list`
-    model: String,
-    /// Which discrete equations to solve: those for x[k+1] or those for Δx [default: the first the
-    /// model has]
-    #[arg(long, value_name = "next|increment")]
-    form: Option<String>,
+    #[command(flatten)]
+    motion: Motion,
     /// newton on the discrete equations; or on the continuous ones rk4, midpoint, trapezoidal, gauss2 … gauss8 (of order
     /// 4 … 16), composition4, 6 or 8 (of midpoint rules), dopri5, taylor, taylor1 … taylor24
     #[arg(long, value_name = "NAME", default_value = plan::NEWTON)]
     scheme: String,
-    /// Set a parameter: `--set m=3`, `--set "J=diag(1,2.8,2)"`, `--set "J(2,2)=3"`
-    #[arg(long, value_name = "NAME=EXPR", value_parser = parse)]
-    set: Vec<Assignment>,
-    /// Set a start value: `--start "ω=[0.5,-0.5,0.4]"`, `--start omega.x=pi/3`
-    #[arg(long, value_name = "NAME=EXPR", value_parser = parse)]
-    start: Vec<Assignment>,
-    /// Time step h [default: that of the scene, or 0.01]
-    #[arg(long, value_name = "H", allow_negative_numbers = true)]
-    step: Option<f64>,
-    /// End time [default: that of the scene, or 10]
-    #[arg(long, value_name = "T", allow_negative_numbers = true)]
-    until: Option<f64>,
     /// Keep every N-th step, and the last one
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
     every: u64,
@@ -108,7 +92,7 @@ impl From<StrategyName> for Strategy {
 impl Simulate {
     /// Runs the model.
     pub fn run(self) -> Result<(), Failure> {
-        let entry = find(&self.model)?;
+        let entry = self.motion.entry()?;
         let model = entry.catalogued;
         let plan = plan(&self, model)?;
         if let Some(note) = plan.note.as_ref().filter(|_| !self.quiet) {
@@ -232,7 +216,7 @@ impl Simulate {
             Scheme::Series(..) => self.scheme.clone(),
         };
         let pace = statistics.and_then(iterations);
-        let set = self.set.iter().chain(&self.start).map(ToString::to_string);
+        let set = self.motion.assignments().map(ToString::to_string);
         let mut parts = vec![scheme, format!("h = {}", plan.step)];
         parts.extend(self.single.then(|| "single precision".to_owned()));
         parts.extend(pace);

@@ -3,7 +3,7 @@
 use super::over::Axis;
 use crate::assignment::{Assignment, Target, assign};
 use crate::failure::Failure;
-use crate::simulate::plan::symbols;
+use crate::motion::symbols;
 use residua::Catalogued;
 use residua_models::values;
 

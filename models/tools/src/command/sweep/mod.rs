@@ -4,18 +4,15 @@ mod grid;
 mod over;
 mod table;
 
-use crate::assignment::{Assignment, Target, assign, parse};
 use crate::failure::Failure;
+use crate::motion::{Motion, Span};
 use crate::requirements::Unmet;
-use crate::simulate::plan::{Span, refuse_skipped, solver, span, symbols};
 use clap::Args;
 use grid::Grid;
 use indicatif::{ProgressBar, ProgressStyle};
 use over::{Over, axes};
 use residua::erased::{AnySolver, Sample};
-use residua::{Catalogued, Fleet, Outcome, Settings, WIDTH};
-use residua_models::find;
-use residua_models::values;
+use residua::{Fleet, Outcome, Settings, WIDTH};
 use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::ops::Range;
@@ -35,27 +32,12 @@ const MOST_THREADS: i64 = 512;
 /// Run a model for every combination of some parameters and start values
 #[derive(Args)]
 pub struct Sweep {
-    /// A model or scene from `residua list`
-    model: String,
     /// What to vary: `--over m=1..3:100` for 100 masses from 1 to 3, `--over start.ω.x=-1..1:50` for a
     /// start value; of several, all combinations
     #[arg(long, value_name = "NAME=FROM..TO:COUNT", value_parser = over::parse, required = true)]
     over: Vec<Over>,
-    /// Which discrete equations to solve [default: the first the model has]
-    #[arg(long, value_name = "next|increment")]
-    form: Option<String>,
-    /// Set a parameter, as in `simulate`
-    #[arg(long, value_name = "NAME=EXPR", value_parser = parse)]
-    set: Vec<Assignment>,
-    /// Set a start value, as in `simulate`
-    #[arg(long, value_name = "NAME=EXPR", value_parser = parse)]
-    start: Vec<Assignment>,
-    /// Time step h [default: that of the scene, or 0.01]
-    #[arg(long, value_name = "H", allow_negative_numbers = true)]
-    step: Option<f64>,
-    /// End time [default: that of the scene, or 10]
-    #[arg(long, value_name = "T", allow_negative_numbers = true)]
-    until: Option<f64>,
+    #[command(flatten)]
+    motion: Motion,
     /// Keep the start, every N-th step and the end [default: the end only]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     every: Option<u64>,
@@ -73,15 +55,12 @@ pub struct Sweep {
 impl Sweep {
     /// Runs the trajectories.
     pub fn run(self) -> Result<(), Failure> {
-        let model = find(&self.model)?.catalogued;
-        let Span { step, steps, note } = span(model, self.step, self.until)?;
-        let solver = solver(self.form.as_deref(), model)?;
-        for assignment in self.set.iter().chain(&self.start) {
-            refuse_skipped(assignment, model.description)?;
-        }
-        let parameters = self.parameters(model)?;
+        let model = self.motion.entry()?.catalogued;
+        let Span { step, steps, note } = self.motion.span(model)?;
+        let solver = self.motion.solver(model)?;
+        let parameters = self.motion.parameters(model)?;
         let axes = axes(&self.over, model.description, &parameters)?;
-        let grid = Grid::new(model, axes, parameters, &self.start)?;
+        let grid = Grid::new(model, axes, parameters, &self.motion.start)?;
         let per_trajectory = self.every.map_or(1, |every| steps.div_ceil(every) + 1);
         let count = self.count(&grid, per_trajectory)?;
         if let Some(note) = note.filter(|_| !self.quiet) {
@@ -126,19 +105,6 @@ impl Sweep {
             eprintln!("warning: {holes} outputs have no value");
         }
         failed.report(count)
-    }
-
-    /// Parameters: those of the file, overwritten by `--set`.
-    fn parameters(&self, model: &Catalogued) -> Result<Vec<f64>, Failure> {
-        let mut parameters = values::defaults(model);
-        let defaults = symbols(model.description.parameters, &parameters);
-        let target = Target {
-            kind: "parameter",
-            variables: model.description.parameters,
-            values: &mut parameters,
-        };
-        assign(&self.set, target, &defaults)?;
-        Ok(parameters)
     }
 
     /// The number of trajectories, if that many rows can be meant.

@@ -3,8 +3,8 @@
 use crate::assignment::{Assignment, Target, component_of, parse as parse_assignment};
 use crate::expression::{Symbol, evaluate};
 use crate::failure::Failure;
-use crate::simulate::plan::refuse_skipped;
-use crate::simulate::plan::symbols;
+use crate::motion::refuse_skipped;
+use crate::motion::symbols;
 use residua::description::Description;
 use std::fmt;
 

@@ -35,7 +35,7 @@ pub enum Terms {
 /// The scheme that is asked for.
 pub fn scheme(options: &Simulate, model: &Catalogued) -> Result<Scheme, Failure> {
     if options.scheme == NEWTON {
-        return solver(options.form.as_deref(), model).map(Scheme::Newton);
+        return options.motion.solver(model).map(Scheme::Newton);
     }
     let word = options.scheme.as_str();
     if let Some(order) = word.strip_prefix(TAYLOR) {
@@ -97,7 +97,7 @@ fn series(order: &str, options: &Simulate, model: &Catalogued) -> Result<Scheme,
 }
 
 fn refuse_form(options: &Simulate) -> Result<(), Failure> {
-    if options.form.is_none() {
+    if options.motion.form.is_none() {
         return Ok(());
     }
     Err(Failure::input(format!(
@@ -112,20 +112,4 @@ fn without_flow(model: &Catalogued, word: &str) -> Failure {
         format!("`{name}` has no continuous equations for {word}"),
         "give its model file a `flow { … }`",
     )
-}
-
-/// The solver of a form, or the first one.
-pub fn solver(form: Option<&str>, model: &Catalogued) -> Result<&'static dyn AnySolver, Failure> {
-    let name = model.description.name;
-    let wanted = |solver: &&&'static dyn AnySolver| form.is_none_or(|f| solver.solver().form == f);
-    model.solvers.iter().find(wanted).copied().ok_or_else(|| {
-        let forms: Vec<&str> = model.solvers.iter().map(|s| s.solver().form).collect();
-        Failure::input(match form {
-            Some(form) => format!(
-                "`{name}` has no form `{form}`, only {}",
-                forms.join(" and ")
-            ),
-            None => format!("`{name}` has no discrete equations"),
-        })
-    })
 }
