@@ -122,6 +122,26 @@ pub enum Elementary {
     Stumpff(u32),
 }
 
+impl Elementary {
+    /// Those of one argument, but [`Elementary::Stumpff`], which are many.
+    pub const UNARY: [Elementary; 14] = [
+        Elementary::Sin,
+        Elementary::Cos,
+        Elementary::Tan,
+        Elementary::Asin,
+        Elementary::Acos,
+        Elementary::Atan,
+        Elementary::Sinh,
+        Elementary::Cosh,
+        Elementary::Tanh,
+        Elementary::Exp,
+        Elementary::Log,
+        Elementary::Sqrt,
+        Elementary::Abs,
+        Elementary::Sign,
+    ];
+}
+
 /// A node.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Node {

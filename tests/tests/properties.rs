@@ -44,25 +44,11 @@ enum Tree {
 const INPUTS: [&str; 3] = ["a", "b", "c"];
 
 /// Functions of one argument.
-const UNARY: [Elementary; 17] = [
-    Elementary::Sin,
-    Elementary::Cos,
-    Elementary::Tan,
-    Elementary::Asin,
-    Elementary::Acos,
-    Elementary::Atan,
-    Elementary::Sinh,
-    Elementary::Cosh,
-    Elementary::Tanh,
-    Elementary::Exp,
-    Elementary::Log,
-    Elementary::Sqrt,
-    Elementary::Abs,
-    Elementary::Sign,
-    Elementary::Stumpff(0),
-    Elementary::Stumpff(1),
-    Elementary::Stumpff(3),
-];
+fn unary() -> impl Strategy<Value = Elementary> {
+    let stumpff = [0, 1, 3].map(Elementary::Stumpff);
+    let all: Vec<_> = Elementary::UNARY.into_iter().chain(stumpff).collect();
+    proptest::sample::select(all)
+}
 
 fn trees() -> impl Strategy<Value = Tree> {
     let leaf = prop_oneof![
@@ -78,8 +64,7 @@ fn trees() -> impl Strategy<Value = Tree> {
             two.clone().prop_map(|(a, b)| Tree::Multiply(a, b)),
             two.clone().prop_map(|(a, b)| Tree::Divide(a, b)),
             (one.clone(), -3..=4).prop_map(|(a, n)| Tree::Power(a, n)),
-            (proptest::sample::select(&UNARY), one.clone())
-                .prop_map(|(f, a)| Tree::Call(f, a, None)),
+            (unary(), one.clone()).prop_map(|(f, a)| Tree::Call(f, a, None)),
             (
                 proptest::sample::select(&[Elementary::Atan2, Elementary::Power]),
                 two

@@ -8,27 +8,13 @@ fn every_function(dag: &mut Dag) -> Vec<NodeId> {
     let two = dag.integer(2);
     let positive = dag.add(two, x);
     let small = dag.scale(BigRational::new(1.into(), 3.into()), x);
-    let unary = [
-        Elementary::Sin,
-        Elementary::Cos,
-        Elementary::Tan,
-        Elementary::Asin,
-        Elementary::Acos,
-        Elementary::Atan,
-        Elementary::Sinh,
-        Elementary::Cosh,
-        Elementary::Tanh,
-        Elementary::Exp,
-        Elementary::Abs,
-        Elementary::Sign,
-        Elementary::Stumpff(0),
-        Elementary::Stumpff(1),
-        Elementary::Stumpff(2),
-        Elementary::Stumpff(3),
-    ];
-    let mut roots: Vec<NodeId> = unary.iter().map(|f| dag.call(*f, vec![small])).collect();
-    roots.push(dag.call(Elementary::Log, vec![positive]));
-    roots.push(dag.call(Elementary::Sqrt, vec![positive]));
+    let stumpff = [0, 1, 2, 3].map(Elementary::Stumpff);
+    let unary = Elementary::UNARY.into_iter().chain(stumpff);
+    let of = |function| match function {
+        Elementary::Log | Elementary::Sqrt => positive,
+        _ => small,
+    };
+    let mut roots: Vec<NodeId> = unary.map(|f| dag.call(f, vec![of(f)])).collect();
     roots.push(dag.call(Elementary::Power, vec![positive, y]));
     roots.push(dag.call(Elementary::Atan2, vec![y, positive]));
     let product = dag.product([(x, 3), (y, 2), (positive, -2)]);
