@@ -25,7 +25,7 @@ pub enum Function {
     Tanh,
     /// `exp(x)`; of a skew matrix the rotation `exp(S(v))`.
     Exp,
-    /// `log(x)`, natural.
+    /// `log(x)`, natural; of a rotation the skew matrix A with `exp(A)` = it.
     Log,
     /// `sqrt(x)`
     Sqrt,

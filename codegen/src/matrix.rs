@@ -6,6 +6,23 @@ use crate::dag::NodeId;
 use crate::model::Shape;
 use crate::normal::rational;
 
+/// The columns to take from the rows of an n×n matrix, n ≤ 3, for each term of its determinant: even permutations first.
+pub fn permutations(n: usize) -> &'static [&'static [usize]] {
+    match n {
+        0 => &[&[]],
+        1 => &[&[0]],
+        2 => &[&[0, 1], &[1, 0]],
+        _ => &[
+            &[0, 1, 2],
+            &[1, 2, 0],
+            &[2, 0, 1],
+            &[0, 2, 1],
+            &[1, 0, 2],
+            &[2, 1, 0],
+        ],
+    }
+}
+
 /// A matrix of nodes, row by row. Scalars are 1×1, vectors n×1.
 #[derive(Clone, Debug)]
 pub struct Matrix {
@@ -173,24 +190,12 @@ impl Matrix {
 
     /// The products of one entry from each row and column of a square matrix up to 3×3, even permutations first.
     fn products(&self, dag: &mut Dag) -> Vec<NodeId> {
-        let orders: &[&[usize]] = match self.shape.rows {
-            1 => &[&[0]],
-            2 => &[&[0, 1], &[1, 0]],
-            _ => &[
-                &[0, 1, 2],
-                &[1, 2, 0],
-                &[2, 0, 1],
-                &[0, 2, 1],
-                &[1, 0, 2],
-                &[2, 1, 0],
-            ],
-        };
         let product = |order: &&[usize]| {
             let entries = order.iter().enumerate().map(|(i, &j)| self.at(i, j));
             let one = dag.integer(1);
             entries.fold(one, |product, entry| dag.mul(product, entry))
         };
-        orders.iter().map(product).collect()
+        permutations(self.shape.rows).iter().map(product).collect()
     }
 
     /// Σ aᵢ bᵢ over all entries.

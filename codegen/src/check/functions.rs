@@ -9,6 +9,7 @@ use crate::ast::LARGEST_DIMENSION;
 use crate::diagnostic::Range;
 use crate::function::Function;
 use crate::function::TABLE;
+use crate::matrix::permutations;
 use crate::model::Op;
 use crate::model::Shape;
 use crate::unit::Unit;
@@ -23,6 +24,9 @@ struct Call {
     function: Function,
     range: Range,
 }
+
+const SKEW: &str = "a skew 2×2 or 3×3 matrix such as S(v)";
+const ROTATION: &str = "a scalar or a 2×2 or 3×3 rotation";
 
 /// 2×2
 const PLANE: Shape = Shape { rows: 2, cols: 2 };
@@ -63,8 +67,9 @@ impl Typing<'_> {
         let one = Some(Unit::ONE);
         let is_matrix = self.ty(args[0]).shape().is_some_and(|s| !s.is_scalar());
         Some(match call.function {
-            Function::Exp if is_matrix => self.rotation(call, args[0])?,
-            Function::Cay => self.rotation(call, args[0])?,
+            Function::Exp if is_matrix => self.planar_or_spatial(call, args[0], SKEW)?,
+            Function::Log if is_matrix => self.planar_or_spatial(call, args[0], ROTATION)?,
+            Function::Cay => self.planar_or_spatial(call, args[0], SKEW)?,
             Function::Dexp | Function::Dexpinv => self.tangent(call, args[0])?,
             Function::Sin
             | Function::Cos
@@ -183,14 +188,15 @@ impl Typing<'_> {
         }
     }
 
-    /// The argument of `exp` and `cay`; that it is skew is seen later, in its components.
-    fn rotation(&mut self, call: Call, id: ExprId) -> Option<Type> {
+    /// A map between rotations of the plane or of space and skew matrices. That these are skew is seen later, in their
+    /// components.
+    fn planar_or_spatial(&mut self, call: Call, id: ExprId, expected: &str) -> Option<Type> {
         match self.ty(id).clone() {
             Type::Matrix(shape, units) if shape == PLANE || shape == SPACE => {
                 self.dimensionless(call, id, &units);
                 Some(Type::uniform(shape, Some(Unit::ONE)))
             }
-            _ => self.wrong(call, id, "a skew 2×2 or 3×3 matrix such as S(v)"),
+            _ => self.wrong(call, id, expected),
         }
     }
 
@@ -320,21 +326,8 @@ impl Typing<'_> {
 
     /// The unit of a determinant of up to 3 rows, from the terms that are not zero.
     fn determinant(&mut self, n: usize, units: &[ComponentUnit], range: Range) -> ComponentUnit {
-        let permutations: &[&[usize]] = match n {
-            0 => &[&[]],
-            1 => &[&[0]],
-            2 => &[&[0, 1], &[1, 0]],
-            _ => &[
-                &[0, 1, 2],
-                &[1, 2, 0],
-                &[2, 0, 1],
-                &[0, 2, 1],
-                &[1, 0, 2],
-                &[2, 1, 0],
-            ],
-        };
         let mut terms = Vec::new();
-        for permutation in permutations {
+        for permutation in permutations(n) {
             let mut term = Some(Unit::ONE);
             for (row, &col) in permutation.iter().enumerate() {
                 term = self.times(term, units[row * n + col]);

@@ -8,6 +8,7 @@ use crate::matrix::Matrix;
 use crate::matrix::add_all;
 use crate::model::Shape;
 use crate::normal::rational;
+use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 /// `function` of `arguments`, whose number and shapes `check` has approved.
@@ -32,7 +33,8 @@ pub fn apply(dag: &mut Dag, function: Function, arguments: &[Matrix]) -> Result<
         Function::Sinh => scalar(dag, Elementary::Sinh),
         Function::Cosh => scalar(dag, Elementary::Cosh),
         Function::Tanh => scalar(dag, Elementary::Tanh),
-        Function::Log => scalar(dag, Elementary::Log),
+        Function::Log if first.shape.is_scalar() => scalar(dag, Elementary::Log),
+        Function::Log => Ok(logarithm(dag, first)),
         Function::Sqrt => scalar(dag, Elementary::Sqrt),
         Function::Abs => scalar(dag, Elementary::Abs),
         Function::Sign => scalar(dag, Elementary::Sign),
@@ -103,7 +105,7 @@ fn skew(dag: &mut Dag, a: &Matrix) -> Matrix {
 
 /// The inverse of S on the skew part (A − Aᵀ)/2.
 fn vee(dag: &mut Dag, a: &Matrix) -> Matrix {
-    let half = num_rational::BigRational::new(1.into(), 2.into());
+    let half = BigRational::new(1.into(), 2.into());
     let mut part =
         |i: usize, j: usize| dag.sum([(half.clone(), a.at(i, j)), (-half.clone(), a.at(j, i))]);
     if a.shape.rows == 2 {
@@ -171,8 +173,62 @@ fn tangent_inverse(dag: &mut Dag, v: &Matrix) -> Matrix {
     let above = dag.sum([(rational(1), third), (rational(-2), fourth)]);
     let below = dag.scale(rational(2), second);
     let quadratic = dag.div(above, below);
-    let minus_half = dag.constant(num_rational::BigRational::new((-1).into(), 2.into()));
+    let minus_half = dag.constant(BigRational::new((-1).into(), 2.into()));
     rodrigues(dag, v, minus_half, quadratic)
+}
+
+/// The skew matrix A with exp(A) = R, of a rotation R by less than a half turn.
+///
+/// In space A = S(2 atan(|w|)/|w| w) with w = tan(θ/2) n = 2 vee(R)/(1 + tr R).
+fn logarithm(dag: &mut Dag, rotation: &Matrix) -> Matrix {
+    let sine = vee(dag, rotation);
+    let diagonal: Vec<_> = (0..rotation.shape.rows)
+        .map(|i| rotation.at(i, i))
+        .collect();
+    let trace = add_all(dag, &diagonal);
+    if sine.shape.is_scalar() {
+        let cosine = dag.scale(BigRational::new(1.into(), 2.into()), trace);
+        let angle = dag.call(Elementary::Atan2, vec![sine.entries[0], cosine]);
+        return skew(dag, &Matrix::scalar(angle));
+    }
+    // Near I all factors are near 1, and none takes digits from numbers that have few.
+    let quarter = BigRational::new(1.into(), 4.into());
+    let one = dag.integer(1);
+    let below = dag.sum([(quarter.clone(), one), (quarter.clone(), trace)]);
+    let double = sine.map(|x| dag.div(x, below));
+    let square = double.dot(dag, &double);
+    let square = dag.scale(quarter, square);
+    let factor = arctangent(dag, square);
+    let axis = double.map(|x| dag.mul(factor, x));
+    skew(dag, &axis)
+}
+
+/// Halvings of an angle below a quarter turn, and terms of the series for what is left, below π/32: the next one is less
+/// than 3e-22.
+const HALVINGS: usize = 4;
+const TERMS: i64 = 10;
+
+/// atan(x)/x of s = x², without a gap at 0: atan(x) = 2 atan(x/2d) with 2d = 1 + √(1 + x²), and Σ (−s)ʲ/(2j + 1) in the end.
+fn arctangent(dag: &mut Dag, mut square: NodeId) -> NodeId {
+    let one = dag.integer(1);
+    let half = BigRational::new(1.into(), 2.into());
+    let mut factors = Vec::new();
+    for _ in 0..HALVINGS {
+        let sum = dag.add(one, square);
+        let root = dag.call(Elementary::Sqrt, vec![sum]);
+        let divisor = dag.sum([(half.clone(), one), (half.clone(), root)]);
+        factors.push((divisor, -1));
+        let quotient = dag.product([(square, 1), (divisor, -2)]);
+        square = dag.scale(half.pow(2), quotient);
+    }
+    let coefficient = |j: i64| BigRational::new(1.into(), (2 * j + 1).into());
+    let mut series = dag.constant(coefficient(TERMS - 1));
+    for j in (0..TERMS - 1).rev() {
+        let rest = dag.mul(square, series);
+        series = dag.sum([(coefficient(j), one), (rational(-1), rest)]);
+    }
+    factors.push((series, 1));
+    dag.product(factors)
 }
 
 /// I + a S(v) + b S(v)²

@@ -148,7 +148,7 @@ impl Parser {
                 Err(diagnostic) => {
                     self.errors.add(diagnostic);
                     items.extend(self.remnant(begun));
-                    recover(cursor, start);
+                    recover(cursor, start, statement::is_keyword);
                 }
             }
         }
@@ -193,9 +193,9 @@ impl Parser {
 
 /// Passes the rest of a statement with a mistake that began at token `start`: up to a `;` or the end
 /// of a block, or up to the next keyword.
-fn recover(cursor: &mut Cursor, start: usize) {
+fn recover(cursor: &mut Cursor, start: usize, is_keyword: fn(Option<&Kind>) -> bool) {
     while !cursor.is_at_end() {
-        if cursor.position() > start && statement::is_keyword(cursor.peek()) {
+        if cursor.position() > start && is_keyword(cursor.peek()) {
             return;
         }
         let is_block = cursor.peeks_open(Delimiter::Brace);

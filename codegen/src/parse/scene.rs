@@ -3,6 +3,7 @@
 use super::Parser;
 use super::cursor::Cursor;
 use super::cursor::Parsed;
+use super::recover;
 use super::tokens;
 use super::tokens::Kind;
 use crate::ast::Assignment;
@@ -68,7 +69,7 @@ fn read(name: &str, tokens: TokenStream) -> (SceneAst, Errors) {
             Ok(item) => items.extend(item),
             Err(diagnostic) => {
                 parser.errors.add(diagnostic);
-                recover(&mut cursor, start);
+                recover(&mut cursor, start, is_keyword);
             }
         }
     }
@@ -182,23 +183,6 @@ impl Parser {
 
 fn is_keyword(kind: Option<&Kind>) -> bool {
     matches!(kind, Some(Kind::Ident(text)) if KEYWORDS.contains(&text.as_str()))
-}
-
-/// Passes the rest of a statement with a mistake that began at token `start`.
-fn recover(cursor: &mut Cursor, start: usize) {
-    while !cursor.is_at_end() {
-        if cursor.position() > start && is_keyword(cursor.peek()) {
-            return;
-        }
-        let is_block = cursor.peeks_open(Delimiter::Brace);
-        if cursor.eat_punct(';') {
-            return;
-        }
-        cursor.skip();
-        if is_block {
-            return;
-        }
-    }
 }
 
 /// No keyword here.
