@@ -243,6 +243,26 @@ impl Op {
     }
 }
 
+impl Program {
+    /// Operations of all functions, each counted where it stands: what `rustc` takes its time for.
+    pub fn operations(&self) -> usize {
+        let solvers = self.solvers.iter();
+        let solvers = solvers.flat_map(|solver| [Some(solver), solver.core.as_deref()]);
+        let series = self.series.iter().flatten();
+        let schedules = [&self.defaults, &self.start, &self.outputs].into_iter();
+        let schedules = schedules.chain(&self.requirements).chain(&self.flow);
+        let schedules = schedules.chain(series.map(|expansion| &expansion.schedule));
+        let schedules = schedules.chain(solvers.flatten().map(|solver| &solver.schedule));
+        let mut count = Count::default();
+        for schedule in schedules {
+            for kernel in &schedule.kernels {
+                count += schedule.count(kernel);
+            }
+        }
+        count.total()
+    }
+}
+
 impl Schedule {
     /// The value behind an id.
     pub fn value(&self, id: ValueId) -> &Value {
@@ -305,6 +325,13 @@ impl Schedule {
             }
         }
         Ok(())
+    }
+}
+
+impl Count {
+    /// Operations of all kinds.
+    pub fn total(&self) -> usize {
+        self.additions + self.multiplications + self.divisions + self.calls
     }
 }
 

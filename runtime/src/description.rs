@@ -27,6 +27,8 @@ pub struct Description {
     pub no_series: Option<&'static str>,
     /// Operation counts of what belongs to no solver: outputs, flow.
     pub counts: &'static [(&'static str, Count)],
+    /// Operations of all functions, each counted where it stands: what compiling takes its time for.
+    pub operations: usize,
     /// The scene that it was made for, if it was made for one.
     pub scene: Option<&'static Scene>,
 }
@@ -136,6 +138,13 @@ pub struct Solver {
     pub counts: &'static [(&'static str, Count)],
     /// What is iterated on, where that is less.
     pub core: Option<&'static Core>,
+}
+
+impl Solver {
+    /// The unknowns are what is added to the state.
+    pub fn is_increment(&self) -> bool {
+        self.form == "increment"
+    }
 }
 
 /// A solver after unknowns that enter linearly are eliminated.

@@ -77,5 +77,6 @@ static NOTHING: Description = Description {
     has_flow: false,
     no_series: None,
     counts: &[],
+    operations: 0,
     scene: None,
 };

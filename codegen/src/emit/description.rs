@@ -52,6 +52,7 @@ pub(super) fn emit(
     };
     let counts = std::iter::once(&program.outputs).chain(&program.flow);
     let counts = counts.flat_map(self::counts);
+    let operations = whole(program.operations());
     let scene = match receipt {
         Some(receipt) => scene(receipt),
         None => quote!(::core::option::Option::None),
@@ -70,6 +71,7 @@ pub(super) fn emit(
             has_flow: #has_flow,
             no_series: #no_series,
             counts: &[#(#counts),*],
+            operations: #operations,
             scene: #scene,
         };
     }

@@ -3,6 +3,7 @@
 //! In come the checked model (names, units, texts), the schedules of its functions and what came of its
 //! claims; out go the items of one module. One file per kind of item.
 
+mod budget;
 mod cache;
 mod context;
 mod description;
@@ -22,6 +23,7 @@ mod solver;
 mod statements;
 mod variables;
 
+pub use budget::BUDGET;
 pub use errors::errors;
 pub use errors::stub;
 pub use errors::vacant;
@@ -43,7 +45,8 @@ pub fn emit(
 ) -> TokenStream {
     let items = items(model, program, findings, receipt);
     let catalogued = description::catalogued(program);
-    quote!(#items #catalogued)
+    let warning = budget::warning(model, program.operations());
+    quote!(#items #catalogued #warning)
 }
 
 /// All items but `MODEL`.

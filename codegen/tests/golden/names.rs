@@ -1196,6 +1196,7 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
             },
         ),
     ],
+    operations: 267,
     scene: ::core::option::Option::None,
 };
 /// The model behind one face, for programs that pick models at run time.

@@ -1595,6 +1595,7 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
             },
         ),
     ],
+    operations: 309,
     scene: ::core::option::Option::None,
 };
 /// The model behind one face, for programs that pick models at run time.

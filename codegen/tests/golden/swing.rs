@@ -976,6 +976,7 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
             },
         ),
     ],
+    operations: 153,
     scene: ::core::option::Option::Some(
         &::residua::description::Scene {
             model: "planar",

@@ -244,6 +244,7 @@ static DESCRIPTION: Description = Description {
     has_flow: true,
     no_series: Some("it is written by hand"),
     counts: &[],
+    operations: 0,
     scene: None,
 };
 

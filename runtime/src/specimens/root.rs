@@ -99,6 +99,7 @@ impl<P: Problem<N>, const N: usize> Model<f64> for Root<P, N> {
         has_flow: false,
         no_series: None,
         counts: &[],
+        operations: 0,
         scene: None,
     };
     fn start(_parameters: &Flat<0>) -> Flat<N> {

@@ -24,6 +24,8 @@ pub struct Model {
     pub solvers: Vec<Form>,
     /// It has continuous equations.
     pub flow: bool,
+    /// Operations of all functions.
+    pub operations: usize,
     /// What data must be like.
     pub requirements: Vec<Requirement>,
     /// What papers print.
@@ -181,6 +183,7 @@ pub fn describe(model: &Catalogued) -> Model {
         observables: outputs(false),
         solvers: description.solvers.iter().map(form).collect(),
         flow: description.has_flow,
+        operations: description.operations,
         requirements: requirements.collect(),
         claims: claims.collect(),
         scene: description.scene.map(|scene| Scene {

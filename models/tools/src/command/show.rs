@@ -3,6 +3,7 @@
 use crate::describe::{Block, Form, Model, Operations, Quantity};
 use crate::notation::{unit, value};
 use crate::table::Table;
+use residua_codegen::emit::BUDGET;
 use residua_tools::errata::title;
 use std::io::{self, Write};
 
@@ -45,7 +46,12 @@ pub fn show(model: &Model, out: &mut impl Write) -> io::Result<()> {
         writeln!(out, "  {title} (line {}): {verdict}", claim.line)?;
     }
     let flow = if model.flow { "yes" } else { "no" };
-    writeln!(out, "\ncontinuous equations: {flow}")
+    writeln!(out, "\ncontinuous equations: {flow}")?;
+    writeln!(
+        out,
+        "operations of all functions: {} of a budget of {BUDGET}",
+        model.operations
+    )
 }
 
 fn quantities(title: &str, quantities: &[Quantity], out: &mut impl Write) -> io::Result<()> {

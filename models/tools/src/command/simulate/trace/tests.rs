@@ -21,6 +21,7 @@ static ONE_STATE: Description = Description {
     has_flow: false,
     no_series: None,
     counts: &[],
+    operations: 0,
     scene: None,
 };
 
