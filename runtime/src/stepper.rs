@@ -183,14 +183,18 @@ fn is_trusted<S: System<T>, T: Real>(scene: &S::Scene, step: &S::Step, x: &S::Un
 
 /// The unknowns of a step between two states, if these tell.
 fn unknowns<S: System<T>, T: Real>(state: &[T], next: &[T]) -> Option<S::Unknowns> {
-    let is_increment = S::Model::DESCRIPTION.solvers.get(S::SOLVER)?.form == "increment";
+    let solver = S::Model::DESCRIPTION.solvers.get(S::SOLVER)?;
     let (mut x, _) = S::zeros();
     let mut unknowns = x.as_mut().iter_mut();
     for block in S::UNKNOWNS {
         let own = block.measure.clone().filter(|own| own.len() == block.len)?;
         for i in own {
             let (after, before) = (*next.get(i)?, *state.get(i)?);
-            *unknowns.next()? = if is_increment { after - before } else { after };
+            *unknowns.next()? = if solver.is_increment() {
+                after - before
+            } else {
+                after
+            };
         }
     }
     Some(x)

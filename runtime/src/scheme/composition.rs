@@ -28,6 +28,8 @@ pub struct Composed<M, const S: usize, T> {
     starts: [T; S],
     /// How many of them are taken.
     n: usize,
+    /// The one that was tried last.
+    last: usize,
 }
 
 /// γ₁, …, γ₃ of 5 (Suzuki 1990): 1/(4 − ∛4) and −∛4/(4 − ∛4).
@@ -110,6 +112,7 @@ impl<M: Method<T>, T: Real, const S: usize> Method<T> for Composed<M, S, T> {
             steps: lengths.map(|length| M::new(parameters, length)),
             starts,
             n: S,
+            last: 0,
         }
     }
 
@@ -121,7 +124,9 @@ impl<M: Method<T>, T: Real, const S: usize> Method<T> for Composed<M, S, T> {
     ) -> Result<Report, Fault> {
         let (before, mut iterations) = (*state, 0);
         let mut report = Report::converged(0);
-        for (step, start) in self.steps[..self.n].iter_mut().zip(self.starts) {
+        let steps = self.steps[..self.n].iter_mut().zip(self.starts);
+        for (i, (step, start)) in steps.enumerate() {
+            self.last = i;
             match step.advance(t + start, state, statistics) {
                 Ok(made) => report = made,
                 Err(fault) => {
@@ -136,7 +141,7 @@ impl<M: Method<T>, T: Real, const S: usize> Method<T> for Composed<M, S, T> {
     }
 
     fn history(&self) -> History {
-        self.steps[0].history()
+        self.steps[self.last].history()
     }
 
     fn solver() -> Option<&'static Solver> {

@@ -78,7 +78,7 @@ impl Twin {
                 core.eliminated.iter().map(|block| block.len).sum()
             }),
             unknowns: solver.solver().unknowns,
-            is_increment: form == "increment",
+            is_increment: solver.solver().is_increment(),
             residual: system.dag.tape_of(&system.residual),
             running: system.dag.tape_of(&system.residual),
             running_in_single: system.dag.tape_of(&system.residual),
