@@ -9,8 +9,9 @@ pub struct Settings<T = f64> {
     /// state that the block advances. Default 1e-12, for `f32` 64 ε.
     ///
     /// A correction larger than that is the last one, too, if at the rate of the last two the next would be within
-    /// a tenth of it. Larger saves at most one iteration a step; smaller, 0 included, iterates down to the
-    /// rounding floor, where corrections stop shrinking.
+    /// a tenth of it. Larger saves at most one iteration a step. Smaller, 0 included, iterates down to the
+    /// rounding floor, where corrections stop shrinking: below 64 ε none is taken for made that was not, and
+    /// [`Statistics::at_floor`](crate::Statistics::at_floor) counts the steps that ended there.
     pub tolerance: T,
     /// Corrections before the step is given up as stalled. Default 50; a good guess takes 2 to 5.
     pub max_iterations: usize,
@@ -41,6 +42,14 @@ impl<T: Real> Default for Settings<T> {
             compensated: true,
             halvings: 0,
         }
+    }
+}
+
+impl<T: Real> Settings<T> {
+    /// Whether the tolerance is so far above rounding that a correction can be told without being made. False for NaN.
+    #[inline]
+    pub(crate) fn is_above_rounding(&self) -> bool {
+        self.tolerance >= T::constant(ROUNDING) * T::EPSILON
     }
 }
 

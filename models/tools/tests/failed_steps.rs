@@ -45,7 +45,7 @@ fn a_step_too_long_is_shown_with_one_that_works() {
 
 #[test]
 fn a_tolerance_below_rounding_is_reported() {
-    let outcome = succeed("simulate elastic --tolerance 1e-30 --until 1");
+    let outcome = succeed("simulate elastic --tolerance 1e-17 --until 1");
     let said = "steps ended at the rounding floor, above the tolerance";
     assert!(outcome.stderr.contains(said), "{}", outcome.stderr);
     assert!(

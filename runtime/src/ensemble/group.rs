@@ -170,7 +170,7 @@ impl<'a> Group<'a> {
         let settings = self.fleet.settings;
         let can_join = self.kernel.has_correction()
             && settings.strategy == Strategy::Core
-            && settings.tolerance >= f64::EPSILON;
+            && settings.is_above_rounding();
         if can_join && matches!(self.seats[lane], Seat::Alone { .. }) {
             self.stand_up(lane);
             self.join(lane);

@@ -101,7 +101,10 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
                 self.learn(&correction, known);
             }
             let tolerance = self.settings.tolerance;
-            if self.history.iterations() >= 2 && is_last(progress.size, before, tolerance) {
+            if self.history.iterations() >= 2
+                && self.settings.is_above_rounding()
+                && is_last(progress.size, before, tolerance)
+            {
                 return Ok(self.report(Success::Converged));
             }
             if progress.converged {
@@ -170,8 +173,8 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
             }
         }
         self.enough = enough;
-        // A tolerance below rounding asks for the thorough way, and NaN is below nothing.
-        if is_due && self.shifts.are_many() && self.settings.tolerance >= T::EPSILON {
+        // A tolerance near rounding asks for the thorough way.
+        if is_due && self.shifts.are_many() && self.settings.is_above_rounding() {
             self.trust = TRUSTED_STEPS;
         }
     }
