@@ -1,41 +1,31 @@
-//! A catalogued model with parameters and a start: what a test runs.
+//! What tests do with a catalogued model, its parameters and a start.
 
 use crate::points::Points;
-use residua::Settings;
 use residua::description::Variable;
 use residua::erased::{AnySolver, Catalogued, Point, Run};
-use residua_models::values;
-use residua_models::values::total;
 use std::ops::ControlFlow;
 
-/// A model, its parameters and its start values, flat and in file order.
-#[derive(Clone)]
-pub struct Case {
-    /// The model.
-    pub model: &'static Catalogued,
-    /// Its parameters.
-    pub parameters: Vec<f64>,
-    /// Its start values.
-    pub start: Vec<f64>,
+pub use residua_tools::study::Case;
+
+/// A [`Case`] in a test.
+pub trait Tested: Sized {
+    /// Parameters near those of the file. A symmetric matrix stays symmetric; zeros do not stay zero.
+    fn varied(model: &'static Catalogued, points: &mut Points) -> Self;
+    /// The same with 3 to 6 added to every state that is a rate or a momentum (its unit has `/s`), so that
+    /// the motion is large.
+    fn kicked(self, points: &mut Points) -> Self;
+    /// The point at which a step of size `h` starts at `state`.
+    fn at<'a>(&'a self, h: f64, state: &'a [f64]) -> Point<'a>;
+    /// Runs `solver` and collects the state at every step, the start included.
+    fn states(&self, solver: &dyn AnySolver, h: f64, steps: u64) -> Vec<Vec<f64>>;
+    /// Runs `solver` and returns the state after the last step.
+    fn last_state(&self, solver: &dyn AnySolver, h: f64, steps: u64) -> Vec<f64>;
+    /// A run of which only the end is shown.
+    fn unobserved(&self, h: f64, steps: u64) -> Run<'_>;
 }
 
-impl Case {
-    /// The values of the model file.
-    pub fn of_file(model: &'static Catalogued) -> Self {
-        Self::with_parameters(model, values::defaults(model))
-    }
-
-    /// The start values of the file for these parameters.
-    pub fn with_parameters(model: &'static Catalogued, parameters: Vec<f64>) -> Self {
-        Case {
-            model,
-            start: values::start(model, &parameters),
-            parameters,
-        }
-    }
-
-    /// Parameters near those of the file. A symmetric matrix stays symmetric; zeros do not stay zero.
-    pub fn varied(model: &'static Catalogued, points: &mut Points) -> Self {
+impl Tested for Case {
+    fn varied(model: &'static Catalogued, points: &mut Points) -> Self {
         let mut parameters = Self::of_file(model).parameters;
         let mut offset = 0;
         for variable in model.description.parameters {
@@ -46,9 +36,7 @@ impl Case {
         Self::with_parameters(model, parameters)
     }
 
-    /// The same with 3 to 6 added to every state that is a rate or a momentum (its unit has `/s`), so that
-    /// the motion is large.
-    pub fn kicked(mut self, points: &mut Points) -> Self {
+    fn kicked(mut self, points: &mut Points) -> Self {
         let mut offset = 0;
         for variable in self.model.description.states {
             let n = variable.rows * variable.cols;
@@ -65,8 +53,7 @@ impl Case {
         self
     }
 
-    /// The point at which a step of size `h` starts at `state`.
-    pub fn at<'a>(&'a self, h: f64, state: &'a [f64]) -> Point<'a> {
+    fn at<'a>(&'a self, h: f64, state: &'a [f64]) -> Point<'a> {
         Point {
             parameters: &self.parameters,
             h,
@@ -75,10 +62,9 @@ impl Case {
         }
     }
 
-    /// Runs `solver` and collects the state at every step, the start included.
-    pub fn states(&self, solver: &dyn AnySolver, h: f64, steps: u64) -> Vec<Vec<f64>> {
+    fn states(&self, solver: &dyn AnySolver, h: f64, steps: u64) -> Vec<Vec<f64>> {
         let mut states = Vec::new();
-        let run = self.run(h, steps, 1);
+        let run = self.run(h, steps);
         let outcome = solver.simulate(&run, &mut |sample| {
             states.push(sample.state.to_vec());
             ControlFlow::Continue(())
@@ -87,10 +73,9 @@ impl Case {
         states
     }
 
-    /// Runs `solver` and returns the state after the last step.
-    pub fn last_state(&self, solver: &dyn AnySolver, h: f64, steps: u64) -> Vec<f64> {
+    fn last_state(&self, solver: &dyn AnySolver, h: f64, steps: u64) -> Vec<f64> {
         let mut last = Vec::new();
-        let outcome = solver.simulate(&self.run(h, steps, 0), &mut |sample| {
+        let outcome = solver.simulate(&self.unobserved(h, steps), &mut |sample| {
             last = sample.state.to_vec();
             ControlFlow::Continue(())
         });
@@ -98,27 +83,11 @@ impl Case {
         last
     }
 
-    /// A run of this case.
-    pub fn run(&self, h: f64, steps: u64, every: u64) -> Run<'_> {
+    fn unobserved(&self, h: f64, steps: u64) -> Run<'_> {
         Run {
-            parameters: &self.parameters,
-            start: &self.start,
-            h,
-            t0: 0.0,
-            steps,
-            every,
-            settings: Settings::default(),
+            every: 0,
+            ..self.run(h, steps)
         }
-    }
-
-    /// Invariants and observables at `state`.
-    pub fn outputs(&self, h: f64, state: &[f64]) -> Vec<f64> {
-        let variables = self.model.description.outputs.iter().map(|o| &o.variable);
-        let mut out = vec![0.0; total(variables)];
-        self.model
-            .model
-            .outputs(&self.parameters, h, 0.0, state, &mut out);
-        out
     }
 }
 

@@ -3,6 +3,7 @@
 use residua::erased::AnySolver;
 use residua::{Model as _, Record as _, System};
 use residua_tests::case::Case;
+use residua_tests::case::Tested;
 
 /// Names that Rust or the emitted code has other plans for; the golden file shows what becomes of them.
 #[deny(warnings, clippy::all, clippy::pedantic)]

@@ -6,6 +6,7 @@ use residua::erased::{AnySolver, Catalogued, Scheme};
 use residua_models::CATALOGUE;
 use residua_models::values::total;
 use residua_tests::case::Case;
+use residua_tests::case::Tested;
 use residua_tests::points::Points;
 use std::ops::ControlFlow;
 
@@ -184,10 +185,10 @@ fn distance(a: &[f64], b: &[f64]) -> f64 {
 /// The largest departure of each invariant from its start over half a second.
 fn drifts(case: &Case, solver: &dyn AnySolver, steps: u64) -> Vec<f64> {
     let h = 0.5 / steps as f64;
-    let start = case.outputs(h, &case.start);
+    let start = case.outputs(h, 0.0, &case.start);
     let mut drifts = vec![0.0; start.len()];
     for state in case.states(solver, h, steps) {
-        let outputs = case.outputs(h, &state);
+        let outputs = case.outputs(h, 0.0, &state);
         for (k, drift) in drifts.iter_mut().enumerate() {
             *drift = f64::max(*drift, distance(&outputs[k..=k], &start[k..=k]));
         }
@@ -275,7 +276,7 @@ fn steps_converge_to_the_flow() {
         let mut truth = Vec::new();
         flow.simulate(
             Scheme::RungeKutta4,
-            &case.run(0.5 / 4000.0, 4000, 0),
+            &case.unobserved(0.5 / 4000.0, 4000),
             &mut |sample| {
                 truth = sample.state.to_vec();
                 ControlFlow::Continue(())
@@ -304,7 +305,7 @@ fn the_core_takes_the_steps_of_all_unknowns() {
             let case = Case::varied(model, &mut points).kicked(&mut points);
             let mut ends = [Vec::new(), Vec::new()];
             for (strategy, end) in [Strategy::Core, Strategy::Full].into_iter().zip(&mut ends) {
-                let mut run = case.run(0.0025, 500, 0);
+                let mut run = case.unobserved(0.0025, 500);
                 run.settings.strategy = strategy;
                 let outcome = solver.simulate(&run, &mut |sample| {
                     *end = sample.state.to_vec();
@@ -341,7 +342,7 @@ fn start_values_honour_constraints() {
         let description = entry.catalogued.description;
         let case = Case::of_file(entry.catalogued);
         assert!(case.start.iter().all(|v| v.is_finite()), "{}", entry.name());
-        let outputs = case.outputs(0.01, &case.start);
+        let outputs = case.outputs(0.01, 0.0, &case.start);
         assert!(outputs.iter().all(|v| v.is_finite()), "{}", entry.name());
         let mut k = 0;
         for output in description.outputs {

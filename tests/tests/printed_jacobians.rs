@@ -4,7 +4,7 @@
 
 use approx::assert_abs_diff_eq;
 use nalgebra::SVector;
-use residua_tests::case::{self, Case};
+use residua_tests::case::{self, Case, Tested};
 use residua_tests::measured::Measured;
 use residua_tests::number::Number;
 use residua_tests::points::{Points, RandomPoint};

@@ -1,6 +1,6 @@
 //! Long runs of the paper's pendulums against reference states of thirty digits.
 
-use residua_tests::case::{self, Case};
+use residua_tests::case::{self, Case, Tested};
 use residua_tests::reference_data::{Scene, Truth};
 use std::ops::ControlFlow;
 
@@ -194,7 +194,7 @@ fn flows_meet_the_reference() {
         let mut last = Vec::new();
         flow.simulate(
             residua::erased::Scheme::RungeKutta4,
-            &case.run(0.001, 10_000, 0),
+            &case.unobserved(0.001, 10_000),
             &mut |sample| {
                 last = sample.state.to_vec();
                 ControlFlow::Continue(())

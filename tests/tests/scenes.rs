@@ -10,7 +10,7 @@ use residua_codegen::source::{lex, read_source};
 use residua_codegen::system::System;
 use residua_codegen::{Analysis, Scene, analyse, analyse_scene};
 use residua_models::{CATALOGUE, Entry, SCENES, find};
-use residua_tests::case::{Case, solver};
+use residua_tests::case::{Case, Tested, solver};
 use std::ops::ControlFlow;
 
 /// Steps of the comparisons.
@@ -106,7 +106,7 @@ fn the_core_of_a_scene_takes_the_steps_of_all_its_unknowns() {
         let h = scene.description.scene.expect("a scene").step;
         let mut ends = [Vec::new(), Vec::new()];
         for (strategy, end) in [Strategy::Core, Strategy::Full].into_iter().zip(&mut ends) {
-            let mut run = case.run(h, 1000, 0);
+            let mut run = case.unobserved(h, 1000);
             run.settings.strategy = strategy;
             let outcome = scene.solvers[0].simulate(&run, &mut |sample| {
                 *end = sample.state.to_vec();
@@ -369,7 +369,7 @@ fn a_run_that_breaks_a_symmetry_is_refused() {
     assert_eq!(zeros.iter().map(|z| z.component).collect::<Vec<_>>(), [2]);
     let mut case = Case::of_file(scene);
     case.start[2] = 1e-3;
-    let run = case.run(0.01, 10, 1);
+    let run = case.run(0.01, 10);
     let outcome = scene.solvers[0].simulate(&run, &mut |_| ControlFlow::Continue(()));
     let error = outcome.expect_err("a refusal");
     assert!(matches!(

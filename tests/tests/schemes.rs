@@ -5,6 +5,7 @@ use residua::erased::AnyFlow;
 use residua::erased::Scheme;
 use residua_models::CATALOGUE;
 use residua_tests::case::Case;
+use residua_tests::case::Tested;
 use residua_tests::points::Points;
 use std::ops::ControlFlow;
 
@@ -26,7 +27,7 @@ fn cases(seed: u64) -> Vec<(&'static str, Case, &'static dyn AnyFlow)> {
 
 fn end(case: &Case, flow: &dyn AnyFlow, scheme: Scheme, h: f64, steps: u64) -> Vec<f64> {
     let mut last = Vec::new();
-    let outcome = flow.simulate(scheme, &case.run(h, steps, 0), &mut |sample| {
+    let outcome = flow.simulate(scheme, &case.unobserved(h, steps), &mut |sample| {
         last = sample.state.to_vec();
         ControlFlow::Continue(())
     });
@@ -128,7 +129,7 @@ fn a_stiff_spring_swings_like_a_rod() {
     for stages in [1, 3] {
         let outcome = flow.simulate(
             Scheme::Gauss { stages },
-            &case.run(0.01, 100, 0),
+            &case.unobserved(0.01, 100),
             &mut |sample| {
                 last = sample.state.to_vec();
                 statistics = Some(sample.statistics);
