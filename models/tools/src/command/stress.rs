@@ -9,8 +9,8 @@ use rayon::prelude::*;
 use residua::erased::AnySolver;
 use residua_models::{CATALOGUE, Entry, SCENES, find};
 use residua_tools::stress::{
-    Case, Endurance, Kind, Twin, Verdict, Wrong, cases, endure, in_other_units, judge,
-    judge_in_single, twins,
+    Case, Endurance, Kind, Twin, Verdict, Wrong, cases, endure, in_other_frames, in_other_units,
+    judge, judge_in_single, twins,
 };
 use std::io::{self, IsTerminal};
 
@@ -134,12 +134,16 @@ impl Stress {
         let share = if self.short { SHORT_SHARE } else { 1 };
         for (solver, twin) in &twins(entry) {
             let mut cases = cases(entry.catalogued, random);
-            let at_random = cases.iter().filter(|case| case.kind == Kind::Random);
-            cases.extend(in_other_units(entry, at_random));
-            let is_kept = |i, kind| matches!(kind, Kind::Random | Kind::Units) || i % share == 0;
-            let kept = cases.iter().enumerate();
-            let kept = kept.filter(|(i, case)| is_kept(*i, case.kind));
-            for (_, case) in kept {
+            let mut kept = 0..;
+            cases.retain(|case| {
+                case.kind == Kind::Random || kept.next().is_some_and(|i| i % share == 0)
+            });
+            let at_random = || cases.iter().filter(|case| case.kind == Kind::Random);
+            let elsewhere = [
+                in_other_units(entry, at_random()),
+                in_other_frames(entry, at_random()),
+            ];
+            for case in cases.iter().chain(elsewhere.iter().flatten()) {
                 judged.take(*solver, twin, case);
             }
             let steps = if self.short { NOT_SO_LONG } else { LONG };

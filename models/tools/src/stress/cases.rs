@@ -35,8 +35,10 @@ pub enum Kind {
     Step,
     /// All parameters, states and the step at random.
     Random,
-    /// The same at random, in other units.
+    /// The same at random, in other units: each equation has a factor of its own then.
     Units,
+    /// The same at random, in other frames.
+    Frame,
     /// One parameter, 1e-8 to 1e8 times what it is, 0 or negative.
     Parameter,
     /// One component of the state: 0, the least number, huge, an angle or a direction next to a special one.
@@ -49,10 +51,11 @@ pub enum Kind {
 
 impl Kind {
     /// All, in the order of the table.
-    pub const ALL: [Kind; 7] = [
+    pub const ALL: [Kind; 8] = [
         Kind::Step,
         Kind::Random,
         Kind::Units,
+        Kind::Frame,
         Kind::Parameter,
         Kind::State,
         Kind::Spin,
@@ -65,6 +68,7 @@ impl Kind {
             Kind::Step => "step",
             Kind::Random => "random",
             Kind::Units => "units",
+            Kind::Frame => "frames",
             Kind::Parameter => "parameters",
             Kind::State => "states",
             Kind::Spin => "rates",

@@ -6,6 +6,7 @@
 mod cases;
 mod endurance;
 mod format;
+mod frames;
 mod running;
 mod twin;
 mod units;
@@ -31,6 +32,7 @@ pub use cases::cases;
 pub use endurance::Endurance;
 pub use endurance::endure;
 pub use format::Format;
+pub use frames::in_other_frames;
 pub use running::Running;
 pub use twin::Exact;
 pub use twin::Twin;
