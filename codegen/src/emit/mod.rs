@@ -10,6 +10,7 @@ mod description;
 mod equations;
 mod errors;
 mod expression;
+mod fillers;
 mod flow;
 mod model;
 mod names;

@@ -4,6 +4,8 @@ use super::allow;
 use super::context::Body;
 use super::context::Context;
 use super::equations::lines;
+use super::fillers::scene_function;
+use super::fillers::step_function;
 use super::number::whole;
 use crate::model::Model;
 use crate::schedule::Expansion;
@@ -23,8 +25,8 @@ pub(super) fn emit(model: &Model, expansion: &Expansion) -> TokenStream {
     ];
     let (scene_type, step_type) = (context.scene.ty(), context.step.ty());
     let functions = [
-        scene_function(&mut context),
-        step_function(&mut context),
+        scene_function(&mut context, false),
+        step_function(&mut context, "base"),
         rates_function(&mut context),
         starts_function(&mut context),
         factors_function(&mut context),
@@ -49,40 +51,6 @@ pub(super) fn emit(model: &Model, expansion: &Expansion) -> TokenStream {
 
                 #(#functions)*
             }
-        }
-    }
-}
-
-fn scene_function(context: &mut Context) -> TokenStream {
-    let body = context.body("scene");
-    let built = context.scene.build(body.roots.clone());
-    let scene = context.scene.ty();
-    let doc = format!(" Once per run: {}.", body.cost);
-    let parameters = body.argument("parameters");
-    let tokens = &body.tokens;
-    quote! {
-        #[doc = #doc]
-        fn scene(#parameters: &super::Parameters<T>) -> #scene {
-            #tokens
-            #built
-        }
-    }
-}
-
-fn step_function(context: &mut Context) -> TokenStream {
-    let body = context.body("step");
-    let built = context.step.build(body.roots.clone());
-    let (scene_type, step_type) = (context.scene.ty(), context.step.ty());
-    let n = whole(context.model.n_states());
-    let doc = format!(" Once per step: {}.", body.cost);
-    let [scene, t, state] = ["scene", "t", "state"].map(|name| body.argument(name));
-    let tokens = &body.tokens;
-    quote! {
-        #[doc = #doc]
-        #[inline(always)]
-        fn base(#scene: &#scene_type, #t: T, #state: &[T; #n]) -> #step_type {
-            #tokens
-            #built
         }
     }
 }

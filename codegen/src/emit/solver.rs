@@ -6,6 +6,8 @@ use super::description::unknowns;
 use super::equations::lines;
 use super::equations::rows;
 use super::expression::Expression;
+use super::fillers::scene_function;
+use super::fillers::step_function;
 use super::number::whole;
 use super::scope::identifier;
 use crate::ast::Form;
@@ -100,8 +102,8 @@ fn system(
     let (scene, step) = (context.scene.ty(), context.step.ty());
     let components = context.scene.components();
     let functions = [
-        scene_function(&mut context),
-        step_function(&mut context),
+        scene_function(&mut context, true),
+        step_function(&mut context, "step"),
         guess_function(&mut context, n),
         residual_function(&mut context, role, n),
         jacobian_function(&mut context, solver, role, n),
@@ -169,40 +171,6 @@ fn doc(form: Form) -> &'static str {
         }
         Form::Increment => {
             " The solver whose unknowns are the increments, and those the model declares."
-        }
-    }
-}
-
-fn scene_function(context: &mut Context) -> TokenStream {
-    let body = context.body("scene");
-    let built = context.scene.build(body.roots.clone());
-    let scene = context.scene.ty();
-    let doc = format!(" Once per run: {}.", body.cost);
-    let [parameters, h] = ["parameters", "h"].map(|name| body.argument(name));
-    let tokens = &body.tokens;
-    quote! {
-        #[doc = #doc]
-        fn scene(#parameters: &super::Parameters<T>, #h: T) -> #scene {
-            #tokens
-            #built
-        }
-    }
-}
-
-fn step_function(context: &mut Context) -> TokenStream {
-    let body = context.body("step");
-    let built = context.step.build(body.roots.clone());
-    let (scene_type, step_type) = (context.scene.ty(), context.step.ty());
-    let n = whole(context.model.n_states());
-    let doc = format!(" Once per step: {}.", body.cost);
-    let [scene, t, state] = ["scene", "t", "state"].map(|name| body.argument(name));
-    let tokens = &body.tokens;
-    quote! {
-        #[doc = #doc]
-        #[inline(always)]
-        fn step(#scene: &#scene_type, #t: T, #state: &[T; #n]) -> #step_type {
-            #tokens
-            #built
         }
     }
 }
