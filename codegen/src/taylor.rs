@@ -182,6 +182,10 @@ fn refusal(function: Elementary) -> String {
     match function {
         Elementary::Abs => "abs(x) has a kink at x = 0, which a Taylor series does not see".into(),
         Elementary::Sign => "sign(x) jumps at x = 0, which a Taylor series does not see".into(),
-        _ => format!("{function:?} has no recurrence"),
+        Elementary::Stumpff(_) => {
+            "sinc, cosc, stumpff, and exp, dexp and dexpinv of a 3×3 matrix have no recurrence"
+                .into()
+        }
+        _ => format!("{function:?} has no recurrence").to_lowercase(),
     }
 }

@@ -34,7 +34,7 @@ pub fn apply(dag: &mut Dag, function: Function, arguments: &[Matrix]) -> Result<
         Function::Cosh => scalar(dag, Elementary::Cosh),
         Function::Tanh => scalar(dag, Elementary::Tanh),
         Function::Log if first.shape.is_scalar() => scalar(dag, Elementary::Log),
-        Function::Log => Ok(logarithm(dag, first)),
+        Function::Log => logarithm(dag, first),
         Function::Sqrt => scalar(dag, Elementary::Sqrt),
         Function::Abs => scalar(dag, Elementary::Abs),
         Function::Sign => scalar(dag, Elementary::Sign),
@@ -180,7 +180,7 @@ fn tangent_inverse(dag: &mut Dag, v: &Matrix) -> Matrix {
 /// The skew matrix A with exp(A) = R, of a rotation R by less than a half turn.
 ///
 /// In space A = S(2 atan(|w|)/|w| w) with w = tan(θ/2) n = 2 vee(R)/(1 + tr R).
-fn logarithm(dag: &mut Dag, rotation: &Matrix) -> Matrix {
+fn logarithm(dag: &mut Dag, rotation: &Matrix) -> Result<Matrix, String> {
     let sine = vee(dag, rotation);
     let diagonal: Vec<_> = (0..rotation.shape.rows)
         .map(|i| rotation.at(i, i))
@@ -189,18 +189,21 @@ fn logarithm(dag: &mut Dag, rotation: &Matrix) -> Matrix {
     if sine.shape.is_scalar() {
         let cosine = dag.scale(BigRational::new(1.into(), 2.into()), trace);
         let angle = dag.call(Elementary::Atan2, vec![sine.entries[0], cosine]);
-        return skew(dag, &Matrix::scalar(angle));
+        return Ok(skew(dag, &Matrix::scalar(angle)));
     }
     // Near I all factors are near 1, and none takes digits from numbers that have few.
     let quarter = BigRational::new(1.into(), 4.into());
     let one = dag.integer(1);
     let below = dag.sum([(quarter.clone(), one), (quarter.clone(), trace)]);
+    if dag.is_zero(below) {
+        return Err("log of a half turn, which turns about both senses of its axis".into());
+    }
     let double = sine.map(|x| dag.div(x, below));
     let square = double.dot(dag, &double);
     let square = dag.scale(quarter, square);
     let factor = arctangent(dag, square);
     let axis = double.map(|x| dag.mul(factor, x));
-    skew(dag, &axis)
+    Ok(skew(dag, &axis))
 }
 
 /// Halvings of an angle below a quarter turn, and terms of the series for what is left, below π/32: the next one is less

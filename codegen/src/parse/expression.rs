@@ -258,10 +258,13 @@ fn level(name: &Name, cursor: &mut Cursor) -> Parsed<Level> {
             message: format!("expected a time level `[k]`, `[k+1/2]` or `[k+1]`, found `[{text}]`"),
             help: match text.chars().next() {
                 Some('k') | None => None,
-                Some(c) if c.is_ascii_digit() => Some(format!(
-                    "write {}({text}) for a component, counted from 1",
-                    name.display
-                )),
+                Some(c) if c.is_ascii_digit() => {
+                    let first = if text == "0" { "1" } else { &text };
+                    Some(format!(
+                        "write {}({first}) for a component, counted from 1",
+                        name.display
+                    ))
+                }
                 Some(_) => Some("the step counter is called `k`".to_owned()),
             },
         }),
