@@ -4,6 +4,7 @@ use residua::Tolerance;
 use residua::erased::AnyFlow;
 use residua::erased::Scheme;
 use residua_models::CATALOGUE;
+use residua_models::find;
 use residua_tests::case::Case;
 use residua_tests::case::Tested;
 use residua_tests::points::Points;
@@ -143,4 +144,34 @@ fn a_stiff_spring_swings_like_a_rod() {
         statistics.is_some_and(|s| s.jacobians > 0),
         "{statistics:?}"
     );
+}
+
+/// A spring that shivers 159 times a second, in steps of a tenth and of a thousandth of a second: its length is what carries
+/// the mass, and the slow swing is followed to the order of the scheme.
+#[test]
+fn gauss_schemes_follow_the_slow_motion_of_a_stiff_flow() {
+    let entry = find("elastic_stiff").expect("a scene");
+    let case = Case::of_file(entry.catalogued);
+    let flow = entry.catalogued.flow.expect("a flow");
+    let series = entry.catalogued.series.expect("a series");
+    let mut truth = Vec::new();
+    let run = case.unobserved(1.0, 1);
+    let outcome = series.simulate_within(Tolerance::both(1e-12), &run, &mut |sample| {
+        truth = sample.state.to_vec();
+        ControlFlow::Continue(())
+    });
+    outcome.expect("a run");
+    for (stages, long) in [(2, 1e-4), (3, 1e-7), (6, 1e-8)] {
+        for (steps, bound) in [(10, long), (1000, 1e-8)] {
+            let found = end(
+                &case,
+                flow,
+                Scheme::Gauss { stages },
+                1.0 / steps as f64,
+                steps,
+            );
+            let off = (found[1] - truth[1]).abs().max((found[3] - truth[3]).abs());
+            assert!(off <= bound, "gauss{stages}, {steps} steps: {off:e}");
+        }
+    }
 }

@@ -13,6 +13,7 @@ use crate::packed::Pack;
 use crate::packed::Packed;
 use crate::report::Statistics;
 use crate::scheme::rates;
+use crate::settings::ROUNDING;
 
 /// Components of the largest state that is solved for; two rows of lanes hold a row of its Jacobian.
 const MOST_COMPONENTS: usize = 2 * LANES;
@@ -123,6 +124,7 @@ impl<M: Collocated<T>, T: Packed> Corrections<'_, M, T> {
             *x = T::Pack::pack([*start; LANES]);
         }
         let times = T::Pack::pack(self.times);
+        let noise = self.noise();
         let mut before = None;
         let mut growths = 0;
         let most = within_digits::<T>(MOST_CORRECTIONS) as usize;
@@ -139,6 +141,7 @@ impl<M: Collocated<T>, T: Packed> Corrections<'_, M, T> {
 
             let mut corrections = [zeros::<M, T>(); LANES];
             let mut square = zero;
+            let mut is_noise = true;
             for i in 0..s {
                 // What the stages before move: h Σ lᵢⱼ Δⱼ.
                 let mut moved = zeros::<M, T>();
@@ -155,7 +158,9 @@ impl<M: Collocated<T>, T: Packed> Corrections<'_, M, T> {
                     let stage = x.as_ref()[c].numbers()[i];
                     let driven =
                         (0..n).fold(zero, |sum, k| sum + self.entry(c, k) * moved.as_ref()[k]);
-                    right.as_mut()[c] = ((self.x.as_ref()[c] - stage) + sum) + driven;
+                    let missed = (self.x.as_ref()[c] - stage) + sum;
+                    is_noise &= missed.abs() <= noise.as_ref()[c];
+                    right.as_mut()[c] = missed + driven;
                 }
                 let Some(correction) = self.solve(lower[i][i], right) else {
                     return (End::Slow, made);
@@ -181,7 +186,7 @@ impl<M: Collocated<T>, T: Packed> Corrections<'_, M, T> {
             }
             let former = before.replace(change);
             let rate = former.map_or(one, |former| change / former);
-            let is_rounding = change <= self.floor && rate > half;
+            let is_rounding = (is_noise || change <= self.floor) && rate > half;
             let is_enough = rate < one && change * rate / (one - rate) <= one;
             if is_rounding || is_enough || change == zero {
                 let f = rates::<M, T::Pack<LANES>>(self.scene, times, &x);
@@ -200,6 +205,27 @@ impl<M: Collocated<T>, T: Packed> Corrections<'_, M, T> {
             }
         }
         (End::Slow, most)
+    }
+
+    /// What rounding may make of the stage equations: 64 ε times the size of their terms, |xᵢ| + |h| Σₖ |Jᵢₖ| |xₖ|. A stiff force is
+    /// the small difference of large terms, and what it drives no better known than that, however small.
+    fn noise(&self) -> Flat<M, T> {
+        let zero = T::constant(0.0);
+        let h = self.hb.iter().fold(zero, |sum, hb| sum + *hb).abs();
+        let rounding = T::constant(ROUNDING) * T::EPSILON;
+        let sizes = self.x.as_ref().iter().zip(self.change.as_ref());
+        let mut size = zeros::<M, T>();
+        for (size, (x, change)) in size.as_mut().iter_mut().zip(sizes) {
+            *size = super::larger(x.abs(), change.abs());
+        }
+        let size = size.as_ref();
+        let mut noise = zeros::<M, T>();
+        for (i, noise) in noise.as_mut().iter_mut().enumerate() {
+            let terms = size.iter().enumerate();
+            let terms = terms.fold(zero, |sum, (k, size)| sum + self.entry(i, k).abs() * *size);
+            *noise = rounding * (size[i] + h * terms);
+        }
+        noise
     }
 
     /// h L of A = L U with ones on the diagonal of U.

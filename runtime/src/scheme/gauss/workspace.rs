@@ -37,6 +37,13 @@ use crate::settings::ROUNDING;
 /// often where it does not.
 const STIFF_STEPS: u32 = 64;
 
+/// The stage equations were not solved.
+const STAGES: Fault = Fault {
+    failure: Failure::Stages,
+    place: Place::State(0),
+    value: 0.0,
+};
+
 /// The workspace of a step.
 pub(crate) struct Core<M: Collocated<T>, T: Packed> {
     pub(super) coefficients: Coefficients<T>,
@@ -215,22 +222,27 @@ impl<M: Collocated<T>, T: Packed> Core<M, T> {
         }
         statistics.iterations += u64::from(all);
         statistics.flows += u64::from(all + 1) * self.coefficients.stages as u64;
-        let failure = match end {
+        let mut numbers = self.rates.as_ref().iter().enumerate();
+        match end {
             End::Converged => {
                 let sums = self.change.as_mut().iter_mut().zip(self.rates.as_ref());
                 for (sum, rates) in sums {
                     *sum = total(rates.numbers());
                 }
-                return Ok(sweeps);
+                Ok(sweeps)
             }
-            End::Slow => Failure::Stages,
-            End::NotFinite => Failure::NotFinite,
-        };
-        Err(Fault {
-            failure,
-            place: Place::State(0),
-            value: 0.0,
-        })
+            End::NotFinite => Err(numbers
+                .find_map(|(i, row)| {
+                    let value = row.numbers().iter().find(|value| !value.is_finite())?;
+                    Some(Fault {
+                        failure: Failure::NotFinite,
+                        place: Place::State(i),
+                        value: value.to_f64(),
+                    })
+                })
+                .unwrap_or(STAGES)),
+            End::Slow => Err(STAGES),
+        }
     }
 
     /// Newton's method, with the sizes of the Legendre coefficients where they are wanted.
