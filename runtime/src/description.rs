@@ -145,6 +145,17 @@ impl Solver {
     pub fn is_increment(&self) -> bool {
         self.form == "increment"
     }
+
+    /// The components of the state that the unknowns are, in their order; none if the state does not tell all of them.
+    pub fn own_states(&self) -> Option<impl Iterator<Item = usize>> {
+        let is_told = |block: &Unknown| block.measure.as_ref().map(Range::len) == Some(block.len);
+        let measures = self
+            .unknowns
+            .iter()
+            .filter_map(|block| block.measure.clone());
+        let all_told = self.unknowns.iter().all(is_told);
+        all_told.then(|| measures.flatten())
+    }
 }
 
 /// A solver after unknowns that enter linearly are eliminated.

@@ -3,6 +3,7 @@
 pub(crate) mod rate;
 mod thorough;
 
+use crate::description::Unknown;
 use crate::error::Fault;
 use crate::linear::Correctable;
 use crate::linear::SquareMatrix;
@@ -10,10 +11,16 @@ use crate::report::History;
 use crate::report::Report;
 use crate::report::Statistics;
 use crate::scalar::Real;
+use crate::scalar::larger;
+use crate::scalar::largest_of;
 use crate::settings::MOST_QUICK;
 use crate::settings::Settings;
+use crate::settings::TRUSTED_STEPS;
+use crate::settings::USUAL;
 use crate::settings::most_growth;
 use crate::shifts::Shifts;
+use core::ops::Range;
+use rate::is_settled;
 
 /// Newton's method with its workspace, made once per run.
 ///
@@ -36,6 +43,10 @@ pub(crate) struct Newton<S: Correctable<T>, T: Real> {
     shifts: Shifts<S::Unknowns>,
     /// Corrections up to here, unknown by unknown, leave less than rounding.
     enough: S::Unknowns,
+    /// Those up to here leave little, whatever the equations have become.
+    harmless: S::Unknowns,
+    /// The first correction of the last quick step.
+    first: S::Unknowns,
     /// Steps until that is found out anew.
     trust: u32,
 }
@@ -52,6 +63,8 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
             history: History::default(),
             shifts: Shifts::new(zeros),
             enough: zeros,
+            harmless: zeros,
+            first: zeros,
             trust: 0,
         }
     }
@@ -66,6 +79,7 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
     ) -> Result<(S::Unknowns, Report), Fault> {
         let guess = S::guess(scene, step);
         if guess.as_ref().is_empty() {
+            self.trust = TRUSTED_STEPS;
             return Ok((guess, Report::converged(0)));
         }
         let (x, report) = self.solve_thoroughly(scene, step, known, guess, statistics)?;
@@ -76,19 +90,14 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
     /// How many of so many steps may be solved quickly before convergence is measured again.
     #[inline]
     pub(crate) fn trusted(&self, steps: u64) -> u64 {
-        if self.x.as_ref().is_empty() {
-            return steps;
-        }
         steps.min(u64::from(self.trust))
     }
 
     /// Takes in that so many of them were.
     #[inline]
     pub(crate) fn spend(&mut self, steps: u64) {
-        if !self.x.as_ref().is_empty() {
-            // No more than were trusted.
-            self.trust -= steps as u32;
-        }
+        // No more than were trusted.
+        self.trust -= steps as u32;
     }
 
     /// The unknowns of a trusted step, and what was guessed; `None` where it needs to be solved thoroughly.
@@ -97,6 +106,7 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
         &mut self,
         scene: &S::Scene,
         step: &S::Step,
+        known: &[T],
         statistics: &mut Statistics,
     ) -> Option<(S::Unknowns, S::Unknowns)> {
         let guess = S::guess(scene, step);
@@ -104,12 +114,21 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
             return Some((guess, guess));
         }
         let mut x = self.shifts.ahead(guess);
-        for _ in 0..self.settings.max_iterations.min(MOST_QUICK) {
+        let first = self.correction(scene, step, &x, statistics)?;
+        subtract(&mut x, &first);
+        let is_usual = self.is_usual(&first);
+        self.first = first;
+        if is_usual && self.is_enough(&first) {
+            return Some((x, guess));
+        }
+        let mut before = first;
+        for _ in 1..self.settings.max_iterations.min(MOST_QUICK) {
             let correction = self.correction(scene, step, &x, statistics)?;
             subtract(&mut x, &correction);
-            if self.is_enough(&correction) {
+            if self.is_enough(&correction) && self.is_settled(known, &x, &before, &correction) {
                 return Some((x, guess));
             }
+            before = correction;
         }
         None
     }
@@ -149,6 +168,41 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
         self.j.solve(&self.r)
     }
 
+    /// Whether a first correction is not much larger than the one of the step before: had the equations changed since
+    /// convergence was measured, starts would be further off. False for NaN.
+    #[inline]
+    fn is_usual(&self, first: &S::Unknowns) -> bool {
+        let usual = self.first.as_ref().iter().zip(self.harmless.as_ref());
+        let pairs = first.as_ref().iter().zip(usual);
+        let times = T::constant(USUAL);
+        pairs.fold(true, |all, (c, (before, harmless))| {
+            all & ((c.abs() <= times * before.abs()) | (c.abs() <= *harmless))
+        })
+    }
+
+    /// Whether the next correction would be within the tolerance, as the last two tell.
+    #[cold]
+    fn is_settled(
+        &self,
+        known: &[T],
+        x: &S::Unknowns,
+        before: &S::Unknowns,
+        last: &S::Unknowns,
+    ) -> bool {
+        let largest = |correction: &S::Unknowns| {
+            let zero = T::constant(0.0);
+            blocks::<S, T>(known, x).fold(zero, |most, (unknowns, scale)| {
+                let size = largest_of(correction.as_ref(), &unknowns);
+                if size > most * scale {
+                    size / scale
+                } else {
+                    most
+                }
+            })
+        };
+        is_settled(largest(last), largest(before), self.settings.tolerance)
+    }
+
     /// False for NaN.
     #[inline]
     fn is_enough(&self, correction: &S::Unknowns) -> bool {
@@ -156,6 +210,25 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
         // All are compared, so that there is one branch.
         pairs.fold(true, |all, (c, enough)| all & (c.abs() <= *enough))
     }
+}
+
+/// The blocks of unknowns, each with its scale: the largest |x| in the block and in the state that it advances.
+fn blocks<'a, S: Correctable<T>, T: Real>(
+    known: &'a [T],
+    x: &'a S::Unknowns,
+) -> impl Iterator<Item = (Range<usize>, T)> + 'a {
+    let blocks: &[Unknown] = S::UNKNOWNS;
+    let mut offset = 0;
+    blocks.iter().map(move |block| {
+        let unknowns = offset..offset + block.len;
+        offset = unknowns.end;
+        let now = match &block.measure {
+            Some(states) => largest_of(known, states),
+            None => T::constant(0.0),
+        };
+        let next = largest_of(x.as_ref(), &unknowns);
+        (unknowns, larger(now, next))
+    })
 }
 
 fn subtract<T: Real>(x: &mut impl AsMut<[T]>, correction: &impl AsRef<[T]>) {

@@ -67,6 +67,18 @@ pub enum Strategy {
 /// trusts the estimate more; 0 always waits for a correction within the tolerance.
 pub(crate) const RATE_MARGIN: f64 = 0.1;
 
+/// The same where convergence is known to be quadratic: the Jacobian is that of every iterate.
+pub(crate) const SETTLED_MARGIN: f64 = 0.1;
+
+/// How many times larger than the one of the step before a first correction may be, if no second one is to be made. Starts are
+/// extrapolated, and miss by more where motion changes: larger is surprised by it, smaller takes the zeros of a
+/// correction that oscillates for that.
+pub(crate) const USUAL: f64 = 16.0;
+
+/// A first correction of this share of √ε is usual. What it leaves is its square times a curvature, which would have to be 1e6
+/// to matter; larger trusts more, smaller takes rounding for news.
+pub(crate) const HARMLESS: f64 = 1.0 / 16.0;
+
 /// A correction that is a larger part of what it corrects does not tell how fast the next ones shrink. Larger accepts
 /// iterates that pass a solution by, smaller takes one correction more.
 pub(crate) const TELLING: f64 = 1.0 / 16.0;

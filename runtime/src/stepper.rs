@@ -67,7 +67,7 @@ impl<S: Correctable<T>, T: Real> Solver<S, T> {
         }
     }
 
-    /// Takes `state` one step on, unless what follows from the solution cannot be trusted, or `holds` has something against
+    /// Takes `state` one step on, unless what follows from the solution cannot be trusted, or `check` has something against
     /// a step from one state to the other that was not solved quickly.
     fn advance(
         &mut self,
@@ -75,7 +75,7 @@ impl<S: Correctable<T>, T: Real> Solver<S, T> {
         state: &mut StateArray<S, T>,
         lost: &mut StateArray<S, T>,
         statistics: &mut Statistics,
-        holds: impl FnOnce(&StateArray<S, T>, &StateArray<S, T>) -> bool,
+        check: impl FnOnce(&StateArray<S, T>, &StateArray<S, T>) -> Result<(), Fault>,
     ) -> Result<Report, Fault> {
         let before = statistics.iterations;
         if self.advance_quickly(|_| t, 1, state, lost, statistics) == 1 {
@@ -87,34 +87,53 @@ impl<S: Correctable<T>, T: Real> Solver<S, T> {
         let (x, report) = self
             .newton
             .solve(scene, &step, state.as_ref(), statistics)?;
-        if self.follows {
-            let Amplification { times, state } = amplification::<S, T>(scene, &step, &x, state);
-            if times > most_growth::<T>() {
-                return Err(undetermined(times, state));
-            }
-        }
+        self.require_determined(&step, state, &x)?;
+        let scene = &self.scene;
         if !is_trusted::<S, T>(scene, &step, &x) {
             return Err(self.newton.fault(Failure::Singular));
         }
         let (next, lost_then) = self.after(&step, state, &x, lost);
         require_finite(&next)?;
-        if !holds(state, &next) {
-            return Err(self.newton.fault(Failure::Singular));
-        }
+        check(state, &next)?;
         (*state, *lost) = (next, lost_then);
         Ok(report)
     }
 
-    /// Whether the equations hold between two states but for rounding that may have grown; taken for granted where states do
-    /// not tell the unknowns.
+    /// Refuses a step between two states in which the equations do not hold but for rounding that may have grown, or do not
+    /// tell the second; nothing where states do not tell the unknowns.
     #[cold]
     #[inline(never)]
-    fn holds(&mut self, t: T, state: &StateArray<S, T>, next: &StateArray<S, T>) -> bool {
+    fn check(
+        &mut self,
+        t: T,
+        state: &StateArray<S, T>,
+        next: &StateArray<S, T>,
+    ) -> Result<(), Fault> {
         let Some(x) = unknowns::<S, T>(state.as_ref(), next.as_ref()) else {
-            return true;
+            return Ok(());
         };
         let step = S::step(&self.scene, t, state);
-        self.newton.holds_at(&self.scene, &step, state.as_ref(), x)
+        if !self.newton.holds_at(&self.scene, &step, state.as_ref(), x) {
+            return Err(self.newton.fault(Failure::Singular));
+        }
+        self.require_determined(&step, state, &x)
+    }
+
+    /// Refuses a solution of which rounding grows too much on its way to the state.
+    fn require_determined(
+        &self,
+        step: &S::Step,
+        state: &StateArray<S, T>,
+        x: &S::Unknowns,
+    ) -> Result<(), Fault> {
+        if !self.follows {
+            return Ok(());
+        }
+        let Amplification { times, state } = amplification::<S, T>(&self.scene, step, x, state);
+        if times > most_growth::<T>() {
+            return Err(undetermined(times, state));
+        }
+        Ok(())
     }
 
     /// Takes `state` on by as many of `count` steps as can be solved quickly.
@@ -133,7 +152,10 @@ impl<S: Correctable<T>, T: Real> Solver<S, T> {
         let mut taken = 0;
         while taken < count {
             let step = S::step(&self.scene, time(taken), &here);
-            let Some((x, guess)) = self.newton.solve_quickly(&self.scene, &step, statistics) else {
+            let Some((x, guess)) =
+                self.newton
+                    .solve_quickly(&self.scene, &step, here.as_ref(), statistics)
+            else {
                 break;
             };
             let (next, lost_then) = self.after(&step, &here, &x, &lost_here);
@@ -185,17 +207,13 @@ fn is_trusted<S: System<T>, T: Real>(scene: &S::Scene, step: &S::Step, x: &S::Un
 fn unknowns<S: System<T>, T: Real>(state: &[T], next: &[T]) -> Option<S::Unknowns> {
     let solver = S::Model::DESCRIPTION.solvers.get(S::SOLVER)?;
     let (mut x, _) = S::zeros();
-    let mut unknowns = x.as_mut().iter_mut();
-    for block in S::UNKNOWNS {
-        let own = block.measure.clone().filter(|own| own.len() == block.len)?;
-        for i in own {
-            let (after, before) = (*next.get(i)?, *state.get(i)?);
-            *unknowns.next()? = if solver.is_increment() {
-                after - before
-            } else {
-                after
-            };
-        }
+    for (unknown, i) in x.as_mut().iter_mut().zip(solver.own_states()?) {
+        let (after, before) = (*next.get(i)?, *state.get(i)?);
+        *unknown = if solver.is_increment() {
+            after - before
+        } else {
+            after
+        };
     }
     Some(x)
 }
@@ -233,7 +251,11 @@ impl<S: Solvable<T>, T: Real> Method<T> for Implicit<S, T> {
             core, full, lost, ..
         } = self;
         let core = core.advance(t, state, lost, statistics, |state, next| {
-            !S::HAS_CORE || full.holds(t, state, next)
+            if S::HAS_CORE {
+                full.check(t, state, next)
+            } else {
+                Ok(())
+            }
         });
         if core.is_err() && S::HAS_CORE {
             return self.fall_back(t, state, statistics);
@@ -304,7 +326,7 @@ impl<S: Solvable<T>, T: Real> Implicit<S, T> {
     ) -> Result<Report, Fault> {
         self.fell_back = true;
         self.full
-            .advance(t, state, &mut self.lost, statistics, |_, _| true)
+            .advance(t, state, &mut self.lost, statistics, |_, _| Ok(()))
     }
 }
 

@@ -61,6 +61,8 @@ pub(super) struct Group<'a> {
     shifts: Shifts,
     /// First corrections up to here leave less than rounding, as second ones told.
     enough: Vec<Row>,
+    /// Those up to here leave little, whatever the equations have become.
+    harmless: Vec<Row>,
     /// The step at which that is found out anew.
     due: [u64; WIDTH],
     /// The first step at which it is for any trajectory.
@@ -109,6 +111,7 @@ impl<'a> Group<'a> {
             lost: [rows(sizes.state), rows(sizes.state)],
             shifts: Shifts::new(sizes.unknowns),
             enough: vec![all(NEVER); sizes.unknowns],
+            harmless: rows(sizes.unknowns),
             due: [0; WIDTH],
             quiet_until: 0,
             start: rows(sizes.unknowns),
@@ -219,6 +222,7 @@ impl<'a> Group<'a> {
             lost,
             shift: &self.start,
             enough: &self.enough,
+            harmless: &self.harmless,
             idle: &self.idle,
         };
         let landing = Landing {

@@ -8,6 +8,7 @@ use super::rows::Row;
 use super::rows::WIDTH;
 use super::rows::all;
 use crate::description::Unknown;
+use crate::newton::rate::most_enough;
 use crate::settings::AT_ROUNDING;
 use crate::settings::LEFTOVER;
 
@@ -67,6 +68,7 @@ pub(crate) fn limits(
     x: &[Row],
     first: &[Row],
     second: &[Row],
+    tolerance: f64,
 ) -> Vec<Row> {
     let least = LEFTOVER * f64::EPSILON;
     let mut square = all(LEFTOVER);
@@ -90,8 +92,10 @@ pub(crate) fn limits(
     for block in blocks {
         let offset = limits.len();
         let mut limit = largest(&first[offset..offset + block.len]);
+        let scale = scale(block, state, &x[offset..offset + block.len]);
         for i in 0..WIDTH {
-            limit[i] *= square[i].sqrt();
+            let most = most_enough(tolerance) * scale[i];
+            limit[i] = f64::min(limit[i] * square[i].sqrt(), most);
         }
         limits.resize(offset + block.len, limit);
     }

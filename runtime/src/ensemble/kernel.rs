@@ -33,6 +33,7 @@ use crate::sensitivity::amplification;
 use crate::sensitivity::follows;
 use crate::settings::MOST_GROWTH;
 use crate::settings::Settings;
+use crate::settings::USUAL;
 use crate::stepper::Stepper;
 
 /// Trajectories in one [`Lanes`]. The loop over lanes is what becomes vector instructions; two vectors at a time have
@@ -74,8 +75,10 @@ pub(crate) struct Start<'a> {
     pub(crate) lost: &'a [Row],
     /// How far the unknowns lie from their guesses.
     pub(crate) shift: &'a [Row],
-    /// Corrections up to here are the last ones.
+    /// Corrections up to here are the last ones,
     pub(crate) enough: &'a [Row],
+    /// and those up to here are so even if the one before was much smaller.
+    pub(crate) harmless: &'a [Row],
     /// 1 for lanes that nobody looks at, 0 for others.
     pub(crate) idle: &'a Row,
 }
@@ -86,7 +89,7 @@ pub(crate) struct Landing<'a> {
     pub(crate) shift: &'a mut [Row],
     /// The unknowns.
     pub(crate) x: &'a mut [Row],
-    /// What was subtracted from them.
+    /// What was subtracted from them; before that, in the step before.
     pub(crate) correction: &'a mut [Row],
     /// The state after the step.
     pub(crate) next: &'a mut [Row],
@@ -250,6 +253,7 @@ impl<C: System<Lanes<N>>, const N: usize> NullaryFnOnce for Correct<'_, C, N> {
             from.lost,
             from.shift,
             from.enough,
+            from.harmless,
             from.idle,
             to.shift,
             to.x,
@@ -275,6 +279,7 @@ fn correct<C: System<Lanes<N>>, const N: usize>(
     losses: &[Row],
     shifts: &[Row],
     enough: &[Row],
+    harmless: &[Row],
     idle: &Row,
     shift: &mut [Row],
     x: &mut [Row],
@@ -290,7 +295,7 @@ fn correct<C: System<Lanes<N>>, const N: usize>(
     let (unknowns, _) = C::zeros();
 
     let n = unknowns.as_ref().len();
-    let (shifts, enough) = (&shifts[..n], &enough[..n]);
+    let (shifts, enough, harmless) = (&shifts[..n], &enough[..n], &harmless[..n]);
     let (shift, x, correction) = (&mut shift[..n], &mut x[..n], &mut correction[..n]);
     let n = states.as_ref().len();
     let (state, losses) = (&state[..n], &losses[..n]);
@@ -311,13 +316,16 @@ fn correct<C: System<Lanes<N>>, const N: usize>(
         let mut is_within = [true; N];
         for j in 0..shifts.len() {
             let (c, enough) = (c.as_ref()[j], lanes::<N>(&enough[j], i));
+            let (harmless, before) = (lanes::<N>(&harmless[j], i), lanes::<N>(&correction[j], i));
             let corrected = at.as_ref()[j] - c;
             at.as_mut()[j] = corrected;
             set_lanes(&mut correction[j], i, c);
             set_lanes(&mut x[j], i, corrected);
             set_lanes(&mut shift[j], i, corrected - guess.as_ref()[j]);
             for (k, is_within) in is_within.iter_mut().enumerate() {
-                *is_within &= c.0[k].abs() <= enough.0[k];
+                let size = c.0[k].abs();
+                let is_usual = (size <= USUAL * before.0[k].abs()) | (size <= harmless.0[k]);
+                *is_within &= (size <= enough.0[k]) & is_usual;
             }
         }
 

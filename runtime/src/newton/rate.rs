@@ -2,6 +2,7 @@
 
 use crate::scalar::Real;
 use crate::settings::RATE_MARGIN;
+use crate::settings::SETTLED_MARGIN;
 use crate::settings::TELLING;
 
 /// Whether corrections of that relative size are near enough to the solution to tell how fast they shrink.
@@ -16,4 +17,18 @@ pub(crate) fn is_telling<T: Real>(size: T) -> bool {
 #[inline]
 pub(crate) fn is_last<T: Real>(e: T, before: T, tolerance: T) -> bool {
     is_telling(before) && e * e <= T::constant(RATE_MARGIN) * tolerance * before
+}
+
+/// Whether the error left after a correction of relative size `e` is within the tolerance, at the quadratic convergence that it
+/// and the one `before` it tell: e³/before².
+#[inline]
+pub(crate) fn is_settled<T: Real>(e: T, before: T, tolerance: T) -> bool {
+    is_telling(before) && e * e * e <= T::constant(SETTLED_MARGIN) * tolerance * before * before
+}
+
+/// The largest part of what it corrects that a correction may be without another to tell how fast they shrink. Equations that
+/// were linear need not stay so: a curvature of 1, where convergence was measured with less, leaves a tenth of the tolerance.
+#[inline]
+pub(crate) fn most_enough<T: Real>(tolerance: T) -> T {
+    (T::constant(RATE_MARGIN) * tolerance).sqrt()
 }

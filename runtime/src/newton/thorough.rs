@@ -3,10 +3,11 @@
 use core::ops::Range;
 
 use super::Newton;
+use super::blocks;
 use super::rate::is_last;
 use super::rate::is_telling;
+use super::rate::most_enough;
 use super::subtract;
-use crate::description::Unknown;
 use crate::error::Failure;
 use crate::error::Fault;
 use crate::error::Place;
@@ -18,9 +19,9 @@ use crate::report::Statistics;
 use crate::report::Success;
 use crate::scalar::Real;
 use crate::scalar::first_not_finite;
-use crate::scalar::larger;
 use crate::scalar::largest_of;
 use crate::settings::AT_ROUNDING;
+use crate::settings::HARMLESS;
 use crate::settings::LEFTOVER;
 use crate::settings::ROUNDING;
 use crate::settings::TRUSTED_STEPS;
@@ -162,9 +163,15 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
             }
         }
         let is_due = self.trust == 0;
-        let mut enough = self.enough;
-        for (unknowns, _) in self.blocks(known) {
+        let (mut enough, mut harmless) = (self.enough, self.harmless);
+        for (unknowns, scale) in self.blocks(known) {
+            let own = harmless.as_mut().iter_mut();
+            for harmless in own.take(unknowns.end).skip(unknowns.start) {
+                *harmless = T::constant(HARMLESS) * T::EPSILON.sqrt() * scale;
+            }
             let limit = square.sqrt() * largest_of(self.previous.as_ref(), &unknowns);
+            let most = most_enough(self.settings.tolerance) * scale;
+            let limit = if limit > most { most } else { limit };
             let own = enough.as_mut().iter_mut();
             for enough in own.take(unknowns.end).skip(unknowns.start) {
                 if is_due || limit > *enough {
@@ -172,7 +179,7 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
                 }
             }
         }
-        self.enough = enough;
+        (self.enough, self.harmless) = (enough, harmless);
         // A tolerance near rounding asks for the thorough way.
         if is_due && self.shifts.are_many() && self.settings.is_above_rounding() {
             self.trust = TRUSTED_STEPS;
@@ -290,20 +297,9 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
         terms
     }
 
-    /// The blocks of unknowns, each with its scale: the largest |x| in the block and in the state it advances.
+    /// The blocks of unknowns with their scales.
     fn blocks<'a>(&'a self, known: &'a [T]) -> impl Iterator<Item = (Range<usize>, T)> + 'a {
-        let blocks: &[Unknown] = S::UNKNOWNS;
-        let mut offset = 0;
-        blocks.iter().map(move |block| {
-            let unknowns = offset..offset + block.len;
-            offset = unknowns.end;
-            let now = match &block.measure {
-                Some(states) => largest_of(known, states),
-                None => T::constant(0.0),
-            };
-            let next = largest_of(self.x.as_ref(), &unknowns);
-            (unknowns, larger(now, next))
-        })
+        blocks::<S, T>(known, &self.x)
     }
 }
 

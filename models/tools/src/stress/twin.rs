@@ -11,7 +11,7 @@ use proc_macro2::TokenStream;
 use rand::RngExt;
 use rand::SeedableRng;
 use rand::rngs::StdRng;
-use residua::description::Unknown;
+use residua::description::Solver;
 use residua::description::Variable;
 use residua::erased::AnySolver;
 use residua::erased::Point;
@@ -49,8 +49,7 @@ pub struct Twin {
     states: &'static [Variable],
     /// How many unknowns are.
     eliminated: usize,
-    unknowns: &'static [Unknown],
-    is_increment: bool,
+    solver: &'static Solver,
     residual: Tape<Double>,
     running: Tape<Running<f64>>,
     running_in_single: Tape<Running<f32>>,
@@ -77,8 +76,7 @@ impl Twin {
             eliminated: solver.solver().core.map_or(0, |core| {
                 core.eliminated.iter().map(|block| block.len).sum()
             }),
-            unknowns: solver.solver().unknowns,
-            is_increment: solver.solver().is_increment(),
+            solver: solver.solver(),
             residual: system.dag.tape_of(&system.residual),
             running: system.dag.tape_of(&system.residual),
             running_in_single: system.dag.tape_of(&system.residual),
@@ -187,18 +185,12 @@ impl Twin {
 
     /// The unknowns of a step that ended there, if the states tell them.
     fn told(&self, at: &Point, ended: &[f64]) -> Option<Vec<Double>> {
-        let mut x = Vec::new();
-        for block in self.unknowns {
-            let states = block.measure.clone()?;
-            if states.len() != block.len {
-                return None;
-            }
-            x.extend(states.map(|i| match self.is_increment {
-                true => Double::from(ended[i]) - Double::from(at.state[i]),
-                false => Double::from(ended[i]),
-            }));
-        }
-        Some(x)
+        let solver = self.solver;
+        let moved = |i: usize| match solver.is_increment() {
+            true => Double::from(ended[i]) - Double::from(at.state[i]),
+            false => Double::from(ended[i]),
+        };
+        Some(solver.own_states()?.map(moved).collect())
     }
 
     /// By Newton's method from the guess.
@@ -256,7 +248,7 @@ impl Twin {
     }
 
     fn guess(&self, solver: &dyn AnySolver, at: &Point) -> Vec<f64> {
-        let mut guess = vec![0.0; self.unknowns.iter().map(|block| block.len).sum()];
+        let mut guess = vec![0.0; self.solver.unknowns.iter().map(|block| block.len).sum()];
         solver.guess(at, &mut guess);
         guess
     }
@@ -316,7 +308,7 @@ impl Twin {
     /// The size of each unknown: the largest of its block and of the state that the block advances.
     fn scales(&self, at: &Point, x: &[Double]) -> Vec<f64> {
         let mut scales = Vec::with_capacity(x.len());
-        for block in self.unknowns {
+        for block in self.solver.unknowns {
             let own = &x[scales.len()..scales.len() + block.len];
             let known = block.measure.clone().unwrap_or(0..0);
             let sizes = own.iter().map(|x| x.to_f64().abs());

@@ -12,7 +12,9 @@ use crate::ensemble::rows::WIDTH;
 use crate::ensemble::rows::merge;
 use crate::ensemble::rows::zeros;
 use crate::newton::rate::is_last;
+use crate::newton::rate::is_settled;
 use crate::newton::rate::is_telling;
+use crate::settings::HARMLESS;
 use crate::settings::MOST_GROWTH;
 use crate::settings::MOST_QUICK;
 use crate::settings::TRUSTED_STEPS;
@@ -66,6 +68,7 @@ impl Group<'_> {
                 lost: &self.lost[0],
                 shift: &self.start,
                 enough: &self.enough,
+                harmless: &self.harmless,
                 idle: &self.idle,
             };
             let landing = Landing {
@@ -80,15 +83,25 @@ impl Group<'_> {
             self.kernel.correct(self.arch, start, landing);
             let now = judge::progress(blocks, &self.state, &last_x, &self.correction, tolerance);
             if round == 2 {
-                let limits = judge::limits(blocks, &self.state, &last_x, &first, &self.correction);
+                let limits = judge::limits(
+                    blocks,
+                    &self.state,
+                    &last_x,
+                    &first,
+                    &self.correction,
+                    tolerance,
+                );
+                let scales = judge::scales(blocks, &self.state, &last_x);
                 let telling = core::array::from_fn(|i| open[i] && is_telling(before.size[i]));
-                self.learn(&telling, &limits);
+                self.learn(&telling, &limits, &scales);
             }
             let mut accepted = [false; WIDTH];
             for i in 0..WIDTH {
                 let is_last = is_last(now.size[i], before.size[i], tolerance);
                 let is_small = now.converged[i] && now.size[i] <= before.size[i];
-                let is_enough = self.within[i] != 0.0 || is_last || is_small;
+                let is_settled = is_settled(now.size[i], before.size[i], tolerance);
+                let is_within = self.within[i] != 0.0 && is_settled;
+                let is_enough = is_within || is_last || is_small;
                 accepted[i] = open[i]
                     && self.sound[i] != 0.0
                     && is_enough
@@ -101,11 +114,13 @@ impl Group<'_> {
             merge(&mut self.lost[1], &lost, &accepted);
             merge(&mut self.x, &last_x, &accepted);
             if open == [false; WIDTH] {
-                return;
+                break;
             }
             self.start.copy_from_slice(&shift);
             before = now;
         }
+        // What the next step's are compared with.
+        self.correction = first;
         for lane in (0..WIDTH).filter(|lane| open[*lane]) {
             let absence = FIRST_ABSENCE << self.absences[lane].min(32);
             self.absences[lane] += 1;
@@ -123,11 +138,14 @@ impl Group<'_> {
     }
 
     /// Takes in the limits of those who are due, and the larger ones of others.
-    fn learn(&mut self, open: &Mask, limits: &[Row]) {
+    fn learn(&mut self, open: &Mask, limits: &[Row], scales: &[Row]) {
         for lane in (0..WIDTH).filter(|lane| open[*lane]) {
             let is_due = self.is_due(lane);
             if is_due && self.shifts.are_many(lane) {
                 self.due[lane] = self.step + 1 + u64::from(TRUSTED_STEPS);
+            }
+            for (harmless, scale) in self.harmless.iter_mut().zip(scales) {
+                harmless[lane] = HARMLESS * f64::EPSILON.sqrt() * scale[lane];
             }
             for (enough, limit) in self.enough.iter_mut().zip(limits) {
                 if is_due || limit[lane] > enough[lane] {

@@ -1,0 +1,143 @@
+//! Steps are right although what was learned from earlier ones no longer holds.
+
+use residua::erased::{AnySolver, Catalogued};
+use residua::{Fleet, Settings};
+use residua_tests::case::{Case, solver};
+use std::ops::ControlFlow;
+use std::sync::Mutex;
+
+/// A linear oscillator, until something stiff and curved passes within a few steps.
+mod kick {
+    residua::model! {
+        //! Kicked oscillator.
+        param a = 10000;
+        param τ = 21.5;
+        state x;
+        state v;
+        residual {
+            Δx = h*v[k+1/2];
+            Δv = h*(-x[k+1/2] - a*exp(-(t[k+1/2] - τ)^2)*x[k+1/2]^3 + 3*sin(10*t[k+1/2]));
+        }
+        solve for increment;
+        start { x = 0; v = 1; }
+    }
+}
+
+/// A rotation that nothing is solved for, by a rate that grows beyond what an angle can be known to.
+mod spin {
+    residua::model! {
+        //! Spin-up.
+        param λ = 0.6;
+        state ω;
+        state R: [2, 2];
+        residual { Δω = h*λ*ω[k+1/2]; }
+        update { R = R*exp(S(h*ω[k+1/2])); }
+        solve for increment;
+        start { ω = 1; R = I; }
+    }
+}
+
+/// The states of a run, and the one after each step that corrections judged one by one lead to.
+fn steps(solver: &dyn AnySolver, case: &Case, h: f64, steps: u64) -> Vec<(Vec<f64>, Vec<f64>)> {
+    let mut states: Vec<(f64, Vec<f64>)> = Vec::new();
+    solver
+        .simulate(&case.run(h, steps), &mut |sample| {
+            states.push((sample.t, sample.state.to_vec()));
+            ControlFlow::Continue(())
+        })
+        .expect("a run");
+    compare(solver, case, h, &states)
+}
+
+/// The same of states that are known: each step is made once more by itself.
+fn compare(
+    solver: &dyn AnySolver,
+    case: &Case,
+    h: f64,
+    states: &[(f64, Vec<f64>)],
+) -> Vec<(Vec<f64>, Vec<f64>)> {
+    let pairs = states.windows(2);
+    pairs
+        .map(|pair| {
+            let mut run = case.run(h, 1);
+            (run.t0, run.start) = (pair[0].0, &pair[0].1);
+            run.settings.tolerance = 0.0;
+            let mut alone = Vec::new();
+            let made = solver.simulate(&run, &mut |sample| {
+                alone = sample.state.to_vec();
+                ControlFlow::Continue(())
+            });
+            made.expect("a step");
+            (pair[1].1.clone(), alone)
+        })
+        .collect()
+}
+
+/// Newton's tolerance, in units of the state.
+fn assert_right(pairs: &[(Vec<f64>, Vec<f64>)], what: &str) {
+    for (step, (found, expected)) in pairs.iter().enumerate() {
+        let size = expected.iter().fold(1.0_f64, |m, x| m.max(x.abs()));
+        for (found, expected) in found.iter().zip(expected) {
+            let off = (found - expected).abs();
+            assert!(off <= 2e-12 * size, "{what}, step {step}: {off:e}");
+        }
+    }
+}
+
+/// Size of the kick, when it comes, and a step by which it is over within a few.
+const KICKS: [(f64, f64, f64); 4] = [
+    (1e4, 21.5, 0.5),
+    (100.0, 8.5, 0.1),
+    (10.0, 9.0, 0.1),
+    (1.0, 10.0, 0.3),
+];
+
+#[test]
+fn a_kick_is_not_solved_as_what_was_before_it() {
+    for (a, time, h) in KICKS {
+        let case = Case::with_parameters(&kick::MODEL, vec![a, time]);
+        let solver = solver(case.model, "increment");
+        assert_right(&steps(solver, &case, h, 100), &format!("a = {a}"));
+        let shown = Mutex::new(Vec::new());
+        let fleet = Fleet {
+            trajectories: 0..1,
+            fill: &|_, parameters, start| {
+                parameters.copy_from_slice(&case.parameters);
+                start.copy_from_slice(&case.start);
+            },
+            h,
+            t0: 0.0,
+            steps: 100,
+            every: 1,
+            settings: Settings::default(),
+            observer: &|_, sample| {
+                let mut shown = shown.lock().expect("no panic");
+                shown.push((sample.t, sample.state.to_vec()));
+            },
+        };
+        solver.fly(&fleet).expect("a run");
+        let states = shown.into_inner().expect("no panic");
+        let pairs = compare(solver, &case, h, &states);
+        assert_right(&pairs, &format!("a = {a}, in an ensemble"));
+    }
+}
+
+#[test]
+fn a_rotation_that_cannot_be_known_is_refused() {
+    let model: &'static Catalogued = &spin::MODEL;
+    let case = Case::of_file(model);
+    let mut last = 0.0;
+    let outcome = solver(model, "increment").simulate(&case.run(0.1, 700), &mut |sample| {
+        last = sample.state[0];
+        ControlFlow::Continue(())
+    });
+    let message = outcome
+        .expect_err("no angle is known to 1e-10 beyond 1e6")
+        .to_string();
+    assert!(
+        message.contains("state R(1,1) at the end of the step is not known"),
+        "{message}"
+    );
+    // It is looked at every 64 steps, within which the rate grows 47 times.
+    assert!(last < 47.0 * 1e7, "{last:e}");
+}
