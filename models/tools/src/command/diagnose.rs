@@ -68,7 +68,7 @@ fn compile(
         let start = offset(text, at);
         let end = start + text[start..].chars().next().map_or(0, char::len_utf8);
         print(shown, text, &error.message, start..end, None);
-        eprintln!("{shown}: 1 mistake, and the rest is not read");
+        tell!("{shown}: 1 mistake, and the rest is not read");
         Failure::Reported(2)
     })?;
     compiled(tokens).map_err(|errors| {
@@ -85,13 +85,13 @@ fn compile(
         {
             print(shown, text, &message, place(text, range), help.as_deref());
         }
-        eprintln!("{shown}: {count}");
+        tell!("{shown}: {count}");
         Failure::Reported(2)
     })
 }
 
 fn print(path: &str, text: &str, message: &str, place: Range<usize>, help: Option<&str>) {
-    eprintln!(
+    tell!(
         "{}\n",
         snippet(Level::ERROR, path, text, message, place, help)
     );

@@ -57,14 +57,14 @@ impl Failure {
     pub fn report(self) -> ExitCode {
         match self {
             Self::Input { message, help } => {
-                eprintln!("error: {message}");
+                tell!("error: {message}");
                 if let Some(help) = help {
-                    eprintln!("help: {help}");
+                    tell!("help: {help}");
                 }
                 ExitCode::from(2)
             }
             Self::Run(message) => {
-                eprintln!("error: {message}");
+                tell!("error: {message}");
                 ExitCode::from(1)
             }
             Self::Reported(code) => ExitCode::from(code),

@@ -1,6 +1,9 @@
 //! The `residua` command: data on stdout or in files, everything else on stderr; exit code 0 if all
 //! went well, 1 if a run or a check failed, 2 for bad usage or input.
 
+#[macro_use]
+mod output;
+
 mod assignment;
 mod bench;
 mod check;

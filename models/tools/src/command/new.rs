@@ -40,11 +40,12 @@ impl New {
             })?;
         file.write_all(include_bytes!("template.model"))
             .map_err(|error| Failure::file("write", &path, &error))?;
-        eprintln!("{} written; next:", path.display());
-        eprintln!("  cargo run -- check {}", self.name);
-        eprintln!(
+        tell!("{} written; next:", path.display());
+        tell!("  cargo run -- check {}", self.name);
+        tell!(
             "  cargo run -- simulate {} --plot {}.svg",
-            self.name, self.name
+            self.name,
+            self.name
         );
         Ok(())
     }

@@ -25,7 +25,7 @@ impl Report {
         progress.finish_and_clear();
         let written = page?.write(&self.out);
         written.map_err(|error| Failure::file("write", &self.out, &error))?;
-        eprintln!("{}", self.out.join("index.html").display());
+        tell!("{}", self.out.join("index.html").display());
         Ok(())
     }
 }

@@ -59,7 +59,7 @@ impl Unmet {
     pub fn warn(&self, model: &Catalogued, all: usize) {
         for (requirement, count) in self.counts.iter().enumerate().filter(|c| *c.1 > 0) {
             let text = text(model, requirement);
-            eprintln!("warning: in {count} of {all} trajectories {text}");
+            tell!("warning: in {count} of {all} trajectories {text}");
         }
     }
 }

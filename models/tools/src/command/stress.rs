@@ -101,7 +101,7 @@ impl Stress {
                 wrong += usize::from(is_wrong);
             }
             for text in found.iter().take(SHOWN) {
-                eprintln!("{text}");
+                tell!("{text}");
             }
         }
         println!("{table}\n{long}");

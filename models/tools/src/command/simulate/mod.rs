@@ -10,6 +10,7 @@ mod trace;
 use crate::failure::Failure;
 use crate::motion::Motion;
 use crate::notation;
+use crate::output::{create, is_same, is_stdout};
 use crate::plot;
 use crate::plot::Figure;
 use crate::requirements;
@@ -25,7 +26,7 @@ use rows::Rows;
 use std::fs::File;
 use std::io::{self, BufWriter, IsTerminal, Write};
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::{Duration, Instant};
 use trace::Trace;
 
@@ -96,15 +97,16 @@ impl Simulate {
         let model = entry.catalogued;
         let plan = plan(&self, model)?;
         if let Some(note) = plan.note.as_ref().filter(|_| !self.quiet) {
-            eprintln!("note: {note}");
+            tell!("note: {note}");
         }
-        if self.out.is_some() && self.out == self.plot {
+        let files = self.out.as_deref().zip(self.plot.as_deref());
+        if files.is_some_and(|(out, plot)| is_same(out, plot)) {
             return Err(Failure::input("--out and --plot name the same file"));
         }
         self.refuse_invalid(&plan)?;
         if !self.quiet {
             let unmet = requirements::unmet(model, &plan.parameters, plan.step, &plan.start);
-            unmet.for_each(|i| eprintln!("warning: {}", requirements::text(model, i)));
+            unmet.for_each(|i| tell!("warning: {}", requirements::text(model, i)));
         }
         // Before the run, so that a bad path does not cost one.
         let picture = self.plot.as_deref().map(create).transpose()?;
@@ -120,8 +122,11 @@ impl Simulate {
         }
         if !self.quiet {
             if let Ok(statistics) = &outcome {
-                eprintln!("{}", pace(&plan, statistics, elapsed));
-                eprint!("{}", recorded.drift);
+                tell!("{}", pace(&plan, statistics, elapsed));
+                let drift = recorded.drift.to_string();
+                if !drift.is_empty() {
+                    tell!("{}", drift.trim_end());
+                }
             }
             self.name_files(recorded.rows);
         }
@@ -226,10 +231,10 @@ impl Simulate {
 
     fn name_files(&self, rows: Option<u64>) {
         if let (Some(path), Some(rows)) = (self.out.as_deref().filter(|p| !is_stdout(p)), rows) {
-            eprintln!("{} ({rows} rows)", path.display());
+            tell!("{} ({rows} rows)", path.display());
         }
         if let Some(path) = &self.plot {
-            eprintln!("{}", path.display());
+            tell!("{}", path.display());
         }
     }
 }
@@ -254,14 +259,6 @@ fn draw(
     };
     let text = plot::svg(&figure).map_err(Failure::Run)?;
     Ok(file.write_all(text.as_bytes())?)
-}
-
-fn is_stdout(path: &Path) -> bool {
-    path == Path::new("-")
-}
-
-fn create(path: &Path) -> Result<File, Failure> {
-    File::create(path).map_err(|error| Failure::file("write", path, &error))
 }
 
 /// `10000 steps of 0.01 to t = 100 in 12 ms, 3.02 iterations per step`

@@ -6,6 +6,7 @@ mod table;
 
 use crate::failure::Failure;
 use crate::motion::{Motion, Span};
+use crate::output::{create, is_stdout};
 use crate::requirements::Unmet;
 use clap::Args;
 use grid::Grid;
@@ -13,10 +14,9 @@ use indicatif::{ProgressBar, ProgressStyle};
 use over::{Over, axes};
 use residua::erased::{AnySolver, Sample};
 use residua::{Fleet, Outcome, Settings, WIDTH};
-use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::ops::Range;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 use table::{Finished, Shelf, Table};
 
@@ -64,7 +64,7 @@ impl Sweep {
         let per_trajectory = self.every.map_or(1, |every| steps.div_ceil(every) + 1);
         let count = self.count(&grid, per_trajectory)?;
         if let Some(note) = note.filter(|_| !self.quiet) {
-            eprintln!("note: {note}");
+            tell!("note: {note}");
         }
         let threads = rayon::ThreadPoolBuilder::new()
             .num_threads(self.threads.map_or(0, usize::from))
@@ -93,16 +93,16 @@ impl Sweep {
         let Finished { rows, holes } = table.finish()?;
         if !self.quiet {
             let elapsed = clock.elapsed();
-            eprintln!("{count} trajectories of {steps} steps in {elapsed:.1?}");
+            tell!("{count} trajectories of {steps} steps in {elapsed:.1?}");
             if let Some(path) = self.out.as_deref().filter(|path| !is_stdout(path)) {
-                eprintln!("{} ({rows} rows)", path.display());
+                tell!("{} ({rows} rows)", path.display());
             }
         }
         if !self.quiet {
             unmet.warn(model, count);
         }
         if holes > 0 {
-            eprintln!("warning: {holes} outputs have no value");
+            tell!("warning: {holes} outputs have no value");
         }
         failed.report(count)
     }
@@ -125,11 +125,7 @@ impl Sweep {
 
     fn destination(&self) -> Result<Box<dyn Write>, Failure> {
         match &self.out {
-            Some(path) if !is_stdout(path) => {
-                let file = File::create(path);
-                let file = file.map_err(|error| Failure::file("write", path, &error))?;
-                Ok(Box::new(BufWriter::new(file)))
-            }
+            Some(path) if !is_stdout(path) => Ok(Box::new(BufWriter::new(create(path)?))),
             _ => Ok(Box::new(BufWriter::new(io::stdout()))),
         }
     }
@@ -195,8 +191,4 @@ impl Failed {
             ))),
         }
     }
-}
-
-fn is_stdout(path: &Path) -> bool {
-    path == Path::new("-")
 }
