@@ -68,7 +68,7 @@ impl Bounded {
         self.value == 1.0 && self.error == 0.0
     }
 
-    /// A value, or what has none for certain.
+    /// True for a value with a bound, and for what has no value for certain.
     pub(super) fn is_known(self) -> bool {
         self.outside || self.value.is_finite() && self.error.is_finite()
     }
