@@ -222,11 +222,11 @@ fn in_words(errors: Errors) -> String {
 
 fn continuous(model: &Model) -> Result<(Equations, Vec<Option<Finding>>), Errors> {
     let mut lowered = lower_continuous(model)?;
+    let typical = Typical::new(&lowered.dag, &lowered.defaults);
     let flow = if model.flow.is_empty() {
         None
     } else {
         let entries = differentiate(&mut lowered.dag, &lowered.flow, model.n_states());
-        let typical = Typical::new(&lowered.dag, &lowered.defaults);
         let rates = explicit(model, &mut lowered.dag, &lowered.flow, &entries, &typical);
         Some(rates?)
     };
@@ -239,7 +239,7 @@ fn continuous(model: &Model) -> Result<(Equations, Vec<Option<Finding>>), Errors
         claims,
         ..
     } = lowered;
-    let findings = continuous_claims(model, &mut dag, &claims, flow.as_deref())?;
+    let findings = continuous_claims(model, &mut dag, &claims, flow.as_deref(), &typical)?;
     debug_assert_eq!(dag.verify(), Ok(()));
     let equations = Equations {
         dag,
@@ -274,7 +274,7 @@ fn discrete(
             derivatives[i] = differentiate(&mut lowered.dag, claimed, n);
         }
     }
-    let judged = discrete_claims(model, &mut lowered, &jacobian, &derivatives)?;
+    let judged = discrete_claims(model, &mut lowered, &jacobian, &derivatives, typical)?;
     let system = System {
         printed: judged.printed,
         ..system(lowered, jacobian, blocks, typical)

@@ -36,6 +36,12 @@ impl Sample {
         }
     }
 
+    /// The `index`-th of a list of signs, ±1.
+    fn sign(self, index: usize) -> f64 {
+        let unit = mix(self.number << 40 ^ 7 << 32 ^ index as u64);
+        if unit < 0.5 { -1.0 } else { 1.0 }
+    }
+
     /// The same, but with the step `h`.
     pub fn value_with_step(self, leaf: Leaf, h: f64) -> f64 {
         match leaf {
@@ -70,6 +76,19 @@ impl Typical {
         match leaf {
             Leaf::Parameter(i) => self.parameters[i],
             _ => Sample::generic(number).value_with_step(leaf, h),
+        }
+    }
+
+    /// The value of an input at the `number`-th point, generic but with the sign that a parameter has in the file; t and
+    /// parameters that are 0 there have both signs.
+    pub fn value_with_sign(&self, number: u64, leaf: Leaf) -> f64 {
+        let sample = Sample::generic(number);
+        let value = sample.value(leaf);
+        match leaf {
+            Leaf::Parameter(i) if self.parameters[i] == 0.0 => value * sample.sign(i + 1),
+            Leaf::Parameter(i) => value.copysign(self.parameters[i]),
+            Leaf::Time => value * sample.sign(0),
+            Leaf::StepSize | Leaf::State(_) | Leaf::Unknown(_) | Leaf::Variation(_) => value,
         }
     }
 }

@@ -34,6 +34,15 @@ pub struct Claimed {
     pub differences: Vec<NodeId>,
 }
 
+impl Claimed {
+    /// Everything that may be compared.
+    pub fn nodes(&self) -> impl Iterator<Item = NodeId> {
+        let blocks = self.blocks.iter().flatten().flat_map(|b| &b.entries);
+        let sides = self.sides.iter().flat_map(|s| [&s.0, &s.1]);
+        blocks.chain(sides).chain(&self.differences).copied()
+    }
+}
+
 /// A block of a claim as written.
 #[derive(Clone, Debug)]
 pub struct ClaimedBlock {

@@ -1,9 +1,10 @@
 //! Claimed equations against what they should say.
 
+use super::bounded::Bounded;
+use super::bounded::Verdict;
 use super::misfit;
 use super::names::Names;
 use super::points::Points;
-use super::points::close;
 use crate::dag::NodeId;
 use crate::finding::Difference;
 use crate::model::Claim;
@@ -49,7 +50,7 @@ pub(super) fn against(
             if let Some(values) = points.disagreement(printed[row], derived[row], factor) {
                 let is_long = names.text(derived[row]).ends_with('…');
                 // Of two long texts only the difference shows the slip.
-                let text = if is_long && factor == 1.0 {
+                let text = if is_long && factor.is_one() {
                     format!("what is right + ({})", names.text(gaps[row]))
                 } else {
                     names.text(printed[row])
@@ -71,7 +72,7 @@ pub(super) fn identity(
 ) -> Vec<Difference> {
     let mut differences = Vec::new();
     for (row, &(left, right)) in sides.iter().enumerate() {
-        if let Some(values) = points.disagreement(right, left, 1.0) {
+        if let Some(values) = points.disagreement(right, left, Bounded::exact(1.0)) {
             let (printed, derived) = (names.text(right), names.text(left));
             differences.push(difference(names, claim, row, printed, derived, values));
         }
@@ -89,8 +90,8 @@ pub(super) fn vanishing(
 ) -> Vec<Difference> {
     let mut differences = Vec::new();
     for (row, (&printed, &along)) in printed.iter().zip(along).enumerate() {
-        if let Some((value, _)) = points.disagreement(along, along, 0.0) {
-            let (printed, derived, values) = (names.text(printed), "0".to_owned(), (value, 0.0));
+        if let Some(values) = points.remainder(along) {
+            let (printed, derived) = (names.text(printed), "0".to_owned());
             differences.push(difference(names, claim, row, printed, derived, values));
         }
     }
@@ -117,23 +118,35 @@ fn difference(
 }
 
 /// The factor between printed and derived that most components of an equation have; 1 if none has any.
-fn common_factor(points: &Points, printed: &[NodeId], derived: &[NodeId]) -> f64 {
+fn common_factor(points: &Points, printed: &[NodeId], derived: &[NodeId]) -> Bounded {
+    let one = Bounded::exact(1.0);
     let pairs = printed.iter().zip(derived);
-    let ratios: Vec<f64> = pairs.filter_map(|(&p, &d)| points.ratio(p, d)).collect();
-    let votes = |ratio: f64| ratios.iter().filter(|r| close(**r, ratio)).count();
-    let mut factor = 1.0;
+    let ratios: Vec<Bounded> = pairs.filter_map(|(&p, &d)| points.ratio(p, d)).collect();
+    let fits = |a: Bounded, b: Bounded| matches!(a.compare(b), Verdict::Equal | Verdict::Similar);
+    let votes = |ratio: Bounded| ratios.iter().filter(|r| fits(**r, ratio)).count();
+    let mut factor = one;
     for &ratio in &ratios {
         if votes(ratio) > votes(factor) {
             factor = ratio;
         }
     }
-    if close(factor, 1.0) { 1.0 } else { factor }
+    if fits(factor, one) { one } else { factor }
 }
 
-fn times(factor: f64, text: String) -> String {
-    if factor == 1.0 {
+fn times(factor: Bounded, text: String) -> String {
+    if factor.is_one() {
         text
     } else {
-        format!("{}*({text})", (factor * 1e9).round() / 1e9)
+        format!("{}*({text})", in_digits(factor.value))
+    }
+}
+
+/// A number to nine digits, which hides rounding.
+fn in_digits(value: f64) -> String {
+    let short = format!("{value:.8e}");
+    match short.parse::<f64>() {
+        Ok(short) if (1e-4..1e6).contains(&short.abs()) => short.to_string(),
+        Ok(short) => format!("{short:e}"),
+        Err(_) => short,
     }
 }

@@ -1,5 +1,6 @@
 //! Claimed Jacobians against derivatives.
 
+use super::bounded::Bounded;
 use super::misfit;
 use super::names::Names;
 use super::points::Points;
@@ -15,7 +16,7 @@ use crate::system::ClaimedBlock;
 /// A derivative, to be laid out as claims are.
 pub(super) struct Comparison<'a> {
     pub(super) names: &'a Names<'a>,
-    pub(super) points: &'a Points,
+    pub(super) points: &'a Points<'a>,
     /// What is derived.
     pub(super) equations: &'a [Equation],
     /// All entries, zeros included, row by row.
@@ -102,7 +103,8 @@ impl Comparison<'_> {
             let (row, col) = at(k);
             entries[row * self.n + col] = Some(printed);
             let derived = self.derivative[row * self.n + col];
-            if let Some(values) = self.points.disagreement(printed, derived, 1.0) {
+            let one = Bounded::exact(1.0);
+            if let Some(values) = self.points.disagreement(printed, derived, one) {
                 differences.push(Difference {
                     row,
                     col,

@@ -3,8 +3,11 @@
 //! A claimed Jacobian is compared with the derivative of the residual, a claimed residual with the model's
 //! own, a claimed differential with the Jacobian times arbitrary variations, a claimed flow with the model's
 //! rates, and the left side of a claimed equation with its right side. Two expressions are taken as equal
-//! when they agree at several generic points: expressions that differ, differ almost everywhere.
+//! when they agree at several generic points: expressions that differ, differ almost everywhere. They agree at a point if
+//! they are no further apart than rounding may have taken them, and if that is not far. Parameters have the signs that
+//! they have in the file.
 
+mod bounded;
 mod equations;
 mod jacobian;
 mod names;
@@ -22,6 +25,7 @@ use crate::finding::Finding;
 use crate::model::Claim;
 use crate::model::Model;
 use crate::normal::rational;
+use crate::sample::Typical;
 use crate::system::Claimed;
 use crate::system::Discrete;
 use crate::system::Entry;
@@ -48,6 +52,7 @@ pub fn discrete_claims(
     discrete: &mut Discrete,
     jacobian: &[Entry],
     derivatives: &[Vec<Entry>],
+    typical: &Typical,
 ) -> Result<Judged, Errors> {
     if model.claims.is_empty() {
         return Ok(Judged::default());
@@ -76,8 +81,12 @@ pub fn discrete_claims(
         let gap = pairs.map(|(&printed, &derived)| discrete.dag.sub(printed, derived));
         gaps.push(gap.collect::<Vec<_>>());
     }
-    let points = Points::new(&discrete.dag);
     let zero = discrete.dag.integer(0);
+    let printed = discrete.claims.iter().flat_map(Claimed::nodes);
+    let derivatives = residuals.iter().flatten().flat_map(|r| &r.jacobian);
+    let derived = own.jacobian.iter().chain(&variation).chain(derivatives);
+    let nodes = printed.chain(derived.copied()).chain([zero]);
+    let points = Points::new(&discrete.dag, typical, &own.residual, nodes);
     let names = Names {
         model,
         form: Some(discrete.form),
@@ -146,6 +155,7 @@ pub fn continuous_claims(
     dag: &mut Dag,
     claims: &[Claimed],
     rates: Option<&[NodeId]>,
+    typical: &Typical,
 ) -> Result<Vec<Option<Finding>>, Errors> {
     if model.claims.is_empty() {
         return Ok(Vec::new());
@@ -159,7 +169,8 @@ pub fn continuous_claims(
             })
         }));
     }
-    let points = Points::new(dag);
+    let nodes = along.iter().flatten().flatten().copied();
+    let points = Points::new(dag, typical, rates.unwrap_or_default(), nodes);
     let names = Names {
         model,
         form: None,

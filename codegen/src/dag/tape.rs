@@ -11,6 +11,7 @@ use super::NodeId;
 use super::evaluate::call;
 use super::evaluate::to_f64;
 use num_rational::BigRational;
+use num_traits::Zero;
 
 /// What a [`Tape`] computes with: `f64`, or something more precise to judge it by.
 pub trait Number: Copy + Add<Output = Self> + Mul<Output = Self> {
@@ -93,6 +94,10 @@ const PI_LOW: f64 = 1.2246467991473532e-16;
 
 fn number<N: Number>(value: &BigRational) -> N {
     let high = to_f64(value);
+    if high == 0.0 && !value.is_zero() {
+        // Too small for a double, which is not the same as 0.
+        return N::constant(0.0, f64::from_bits(1));
+    }
     let rest = BigRational::from_float(high).map(|high| value - high);
     N::constant(high, rest.map_or(0.0, |rest| to_f64(&rest)))
 }
