@@ -116,9 +116,8 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
         let mut x = self.shifts.ahead(guess);
         let first = self.correction(scene, step, &x, statistics)?;
         subtract(&mut x, &first);
-        let is_usual = self.is_usual(&first);
-        self.first = first;
-        if is_usual && self.is_enough(&first) {
+        if self.is_usual(&first) && self.is_enough(&first) {
+            self.first = first;
             return Some((x, guess));
         }
         let mut before = first;
@@ -126,6 +125,7 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
             let correction = self.correction(scene, step, &x, statistics)?;
             subtract(&mut x, &correction);
             if self.is_enough(&correction) && self.is_settled(known, &x, &before, &correction) {
+                self.first = first;
                 return Some((x, guess));
             }
             before = correction;
@@ -239,3 +239,5 @@ fn subtract<T: Real>(x: &mut impl AsMut<[T]>, correction: &impl AsRef<[T]>) {
 
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod trust;

@@ -1,5 +1,5 @@
 //! Breaks the code in every way of [`residua_tests::mutations`], one at a time, in a copy of the workspace, and sees which test
-//! notices: `cargo run --release -p residua-tests --example mutate [WORDS]` for all, or those whose rule or file has the words.
+//! notices: `cargo run --release -p residua-tests --example mutate [WORD...]` for all, or those whose rule or file has one of the words.
 //!
 //! It takes a quarter of an hour. The table goes to `tests/MUTATIONS.md`; with words, to the screen only.
 
@@ -30,7 +30,6 @@ const ATTEMPTS: [&[&str]; 3] = [
 
 fn main() -> io::Result<()> {
     let words: Vec<String> = env::args().skip(1).collect();
-    let words = words.join(" ");
     let root = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("..")
         .canonicalize()?;
@@ -53,10 +52,12 @@ fn main() -> io::Result<()> {
         file,
         from,
         to,
-    } in ALL
-        .iter()
-        .filter(|m| m.rule.contains(&words) || m.file.contains(&words))
-    {
+    } in ALL.iter().filter(|m| {
+        words.is_empty()
+            || words
+                .iter()
+                .any(|word| m.rule.contains(word) || m.file.contains(word))
+    }) {
         let path = copy.join(file);
         let text = fs::read_to_string(&path)?;
         fs::write(&path, text.replacen(from, to, 1))?;

@@ -156,7 +156,7 @@ fn gauss_schemes_follow_the_slow_motion_of_a_stiff_flow() {
     let series = entry.catalogued.series.expect("a series");
     let mut truth = Vec::new();
     let run = case.unobserved(1.0, 1);
-    let outcome = series.simulate_within(Tolerance::both(1e-12), &run, &mut |sample| {
+    let outcome = series.simulate_within(&run, Tolerance::both(1e-12), &mut |sample| {
         truth = sample.state.to_vec();
         ControlFlow::Continue(())
     });
