@@ -32,6 +32,7 @@ const fn mutation(
 
 const DERIVATIVES: &str = "codegen/src/differentiate.rs";
 const NORMAL: &str = "codegen/src/normal.rs";
+const CALLS: &str = "codegen/src/normal/calls.rs";
 const THOROUGH: &str = "runtime/src/newton/thorough.rs";
 const NEWTON: &str = "runtime/src/newton.rs";
 const RATE: &str = "runtime/src/newton/rate.rs";
@@ -85,19 +86,19 @@ pub const ALL: &[Mutation] = &[
     mutation("√x √x = x", NORMAL, "open.push((argument[0], total / 2));", "open.push((argument[0], total));"),
     mutation("exponents of a factor add up", NORMAL, "Some(factor) => factor.1 += exponent", "Some(factor) => factor.1 = exponent"),
     mutation("0 times anything is 0", NORMAL, "if coefficient.is_zero() {\n            return self.integer(0);", "if coefficient.is_zero() {\n            return self.integer(1);"),
-    mutation("a^(n/2) is a root to the n", NORMAL, "return self.product([(root, halves)]);", "return self.product([(root, 1)]);"),
-    mutation("a^n is a product", NORMAL, "return self.product([(base, whole)]);", "return self.product([(base, 2)]);"),
-    mutation("odd functions give their sign back", NORMAL, "return if parity(function) == Parity::Odd {", "return if parity(function) == Parity::Even {"),
-    mutation("arguments of odd and even functions lose their sign", NORMAL, "let positive = self.scale(-coefficient, core);", "let positive = self.scale(coefficient, core);"),
-    mutation("sin 0 and its kin are 0", NORMAL, "| Elementary::Tanh => x.is_zero().then(BigRational::zero)", "| Elementary::Tanh => x.is_zero().then(BigRational::one)"),
-    mutation("cosh 0 = exp 0 = 1", NORMAL, "Elementary::Cosh | Elementary::Exp => x.is_zero().then(BigRational::one)", "Elementary::Cosh | Elementary::Exp => x.is_zero().then(BigRational::zero)"),
-    mutation("log 1 = acos 1 = 0", NORMAL, "Elementary::Log | Elementary::Acos => x.is_one().then(BigRational::zero)", "Elementary::Log | Elementary::Acos => x.is_one().then(BigRational::one)"),
-    mutation("atan2(0, positive) = 0", NORMAL, "(x.is_zero() && right).then(BigRational::zero)", "x.is_zero().then(BigRational::zero)"),
-    mutation("roots of squares are exact", NORMAL, "(&root * &root == *x).then_some(root)", "Some(root)"),
-    mutation("abs of a number", NORMAL, "Elementary::Abs => Some(x.abs())", "Elementary::Abs => Some(x.clone())"),
-    mutation("sign of a number", NORMAL, "Elementary::Sign => Some(x.signum())", "Elementary::Sign => Some(x.abs())"),
-    mutation("cₙ(0) = 1/n!", NORMAL, "(1..=n).map(BigInt::from).product()", "(1..n).map(BigInt::from).product()"),
-    mutation("sin and cos at quarter turns", NORMAL, "let shift = if function == Elementary::Sin { 0 } else { 1 };", "let shift = if function == Elementary::Sin { 0 } else { 3 };"),
+    mutation("a^(n/2) is a root to the n", CALLS, "return self.product([(root, halves)]);", "return self.product([(root, 1)]);"),
+    mutation("a^n is a product", CALLS, "return self.product([(base, whole)]);", "return self.product([(base, 2)]);"),
+    mutation("odd functions give their sign back", CALLS, "return if parity(function) == Parity::Odd {", "return if parity(function) == Parity::Even {"),
+    mutation("arguments of odd and even functions lose their sign", CALLS, "let positive = self.scale(-coefficient, core);", "let positive = self.scale(coefficient, core);"),
+    mutation("sin 0 and its kin are 0", CALLS, "| Elementary::Tanh => x.is_zero().then(BigRational::zero)", "| Elementary::Tanh => x.is_zero().then(BigRational::one)"),
+    mutation("cosh 0 = exp 0 = 1", CALLS, "Elementary::Cosh | Elementary::Exp => x.is_zero().then(BigRational::one)", "Elementary::Cosh | Elementary::Exp => x.is_zero().then(BigRational::zero)"),
+    mutation("log 1 = acos 1 = 0", CALLS, "Elementary::Log | Elementary::Acos => x.is_one().then(BigRational::zero)", "Elementary::Log | Elementary::Acos => x.is_one().then(BigRational::one)"),
+    mutation("atan2(0, positive) = 0", CALLS, "(x.is_zero() && right).then(BigRational::zero)", "x.is_zero().then(BigRational::zero)"),
+    mutation("roots of squares are exact", CALLS, "(&root * &root == *x).then_some(root)", "Some(root)"),
+    mutation("abs of a number", CALLS, "Elementary::Abs => Some(x.abs())", "Elementary::Abs => Some(x.clone())"),
+    mutation("sign of a number", CALLS, "Elementary::Sign => Some(x.signum())", "Elementary::Sign => Some(x.abs())"),
+    mutation("cₙ(0) = 1/n!", CALLS, "(1..=n).map(BigInt::from).product()", "(1..n).map(BigInt::from).product()"),
+    mutation("sin and cos at quarter turns", CALLS, "let shift = if function == Elementary::Sin { 0 } else { 1 };", "let shift = if function == Elementary::Sin { 0 } else { 3 };"),
     mutation("content takes a common factor, not any", NORMAL, "small.iter().fold(0, |g, t| t.0.gcd(&g))", "small.iter().fold(0, |g, t| t.0.max(g))"),
     // Newton's method: how each outcome is reached.
     mutation("a correction is subtracted", NEWTON, "*x = *x - *correction;", "*x = *x + *correction;"),

@@ -26,6 +26,7 @@ struct Call {
 }
 
 const SKEW: &str = "a skew 2×2 or 3×3 matrix such as S(v)";
+const SPATIAL_SKEW: &str = "a skew 3×3 matrix such as S(v)";
 const ROTATION: &str = "a scalar or a 2×2 or 3×3 rotation";
 
 /// 2×2
@@ -67,10 +68,15 @@ impl Typing<'_> {
         let one = Some(Unit::ONE);
         let is_matrix = self.ty(args[0]).shape().is_some_and(|s| !s.is_scalar());
         Some(match call.function {
-            Function::Exp if is_matrix => self.planar_or_spatial(call, args[0], SKEW)?,
-            Function::Log if is_matrix => self.planar_or_spatial(call, args[0], ROTATION)?,
-            Function::Cay => self.planar_or_spatial(call, args[0], SKEW)?,
-            Function::Dexp | Function::Dexpinv => self.tangent(call, args[0])?,
+            Function::Exp if is_matrix => self.rotation(call, args[0], &[PLANE, SPACE], SKEW)?,
+            Function::Log if is_matrix => {
+                self.rotation(call, args[0], &[PLANE, SPACE], ROTATION)?
+            }
+            Function::Cay => self.rotation(call, args[0], &[PLANE, SPACE], SKEW)?,
+            // In the plane they are 1, and nobody needs them.
+            Function::Dexp | Function::Dexpinv => {
+                self.rotation(call, args[0], &[SPACE], SPATIAL_SKEW)?
+            }
             Function::Sin
             | Function::Cos
             | Function::Tan
@@ -188,26 +194,21 @@ impl Typing<'_> {
         }
     }
 
-    /// A map between rotations of the plane or of space and skew matrices. That these are skew is seen later, in their
+    /// A map between rotations and skew matrices of one of these shapes. That they are skew is seen later, in their
     /// components.
-    fn planar_or_spatial(&mut self, call: Call, id: ExprId, expected: &str) -> Option<Type> {
+    fn rotation(
+        &mut self,
+        call: Call,
+        id: ExprId,
+        shapes: &[Shape],
+        expected: &str,
+    ) -> Option<Type> {
         match self.ty(id).clone() {
-            Type::Matrix(shape, units) if shape == PLANE || shape == SPACE => {
+            Type::Matrix(shape, units) if shapes.contains(&shape) => {
                 self.dimensionless(call, id, &units);
                 Some(Type::uniform(shape, Some(Unit::ONE)))
             }
             _ => self.wrong(call, id, expected),
-        }
-    }
-
-    /// A map of angular velocities; in the plane it is 1, and nobody needs it.
-    fn tangent(&mut self, call: Call, id: ExprId) -> Option<Type> {
-        match self.ty(id).clone() {
-            Type::Matrix(shape, units) if shape == SPACE => {
-                self.dimensionless(call, id, &units);
-                Some(Type::uniform(shape, Some(Unit::ONE)))
-            }
-            _ => self.wrong(call, id, "a skew 3×3 matrix such as S(v)"),
         }
     }
 

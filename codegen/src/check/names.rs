@@ -201,11 +201,10 @@ impl Typing<'_> {
         if let Some(similar) = self.symbols.similar(name) {
             return Some(format!("did you mean `{similar}`?"));
         }
-        if let Some(state) = name.ascii.strip_suffix("dot") {
-            let state = state.trim_end_matches('_');
-            if !state.is_empty() {
-                return Some(format!("write der({state}) for a rate"));
-            }
+        let state = name.ascii.strip_suffix("dot");
+        let state = state.map(|state| state.trim_end_matches('_'));
+        if let Some(state) = state.filter(|state| !state.is_empty()) {
+            return Some(format!("write der({state}) for a rate"));
         }
         let is_unit = name.ascii.len() > 1 && Unit::named(&name.ascii).is_some();
         is_unit.then(|| "a unit stands only behind the colon of a declaration".to_owned())
