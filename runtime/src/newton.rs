@@ -45,10 +45,10 @@ pub(crate) struct Newton<S: Correctable<T>, T: Real> {
     enough: S::Unknowns,
     /// Those up to here leave little, whatever the equations have become.
     harmless: S::Unknowns,
+    /// Steps until these are found out anew.
+    trust: u32,
     /// The first correction of the last quick step.
     first: S::Unknowns,
-    /// Steps until that is found out anew.
-    trust: u32,
 }
 
 impl<S: Correctable<T>, T: Real> Newton<S, T> {
@@ -64,8 +64,8 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
             shifts: Shifts::new(zeros),
             enough: zeros,
             harmless: zeros,
-            first: zeros,
             trust: 0,
+            first: zeros,
         }
     }
 
@@ -189,18 +189,9 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
         before: &S::Unknowns,
         last: &S::Unknowns,
     ) -> bool {
-        let largest = |correction: &S::Unknowns| {
-            let zero = T::constant(0.0);
-            blocks::<S, T>(known, x).fold(zero, |most, (unknowns, scale)| {
-                let size = largest_of(correction.as_ref(), &unknowns);
-                if size > most * scale {
-                    size / scale
-                } else {
-                    most
-                }
-            })
-        };
-        is_settled(largest(last), largest(before), self.settings.tolerance)
+        let [before, last] =
+            [before, last].map(|correction| relative_size::<S, T>(known, x, correction));
+        is_settled(last, before, self.settings.tolerance)
     }
 
     /// False for NaN.
@@ -228,6 +219,23 @@ fn blocks<'a, S: Correctable<T>, T: Real>(
         };
         let next = largest_of(x.as_ref(), &unknowns);
         (unknowns, larger(now, next))
+    })
+}
+
+/// The largest part of the scale of its block that a component of `correction` is.
+fn relative_size<S: Correctable<T>, T: Real>(
+    known: &[T],
+    x: &S::Unknowns,
+    correction: &S::Unknowns,
+) -> T {
+    let zero = T::constant(0.0);
+    blocks::<S, T>(known, x).fold(zero, |most, (unknowns, scale)| {
+        let size = largest_of(correction.as_ref(), &unknowns);
+        if size > most * scale {
+            size / scale
+        } else {
+            most
+        }
     })
 }
 

@@ -67,9 +67,6 @@ pub enum Strategy {
 /// trusts the estimate more; 0 always waits for a correction within the tolerance.
 pub(crate) const RATE_MARGIN: f64 = 0.1;
 
-/// The same where convergence is known to be quadratic: the Jacobian is that of every iterate.
-pub(crate) const SETTLED_MARGIN: f64 = 0.1;
-
 /// How many times larger than the one of the step before a first correction may be, if no second one is to be made. Starts are
 /// extrapolated, and miss by more where motion changes: larger is surprised by it, smaller takes the zeros of a
 /// correction that oscillates for that.

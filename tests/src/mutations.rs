@@ -105,7 +105,7 @@ pub const ALL: &[Mutation] = &[
     mutation("quick corrections must be enough", NEWTON, "all & (c.abs() <= *enough)", "all | (c.abs() <= *enough)"),
     mutation("a first correction is not trusted if it is a surprise", NEWTON, "all & ((c.abs() <= times * before.abs()) | (c.abs() <= *harmless))", "all & ((c.abs() <= times * before.abs()) | (*harmless <= c.abs()))"),
     mutation("a later correction is vouched for by the one before", NEWTON, "self.is_enough(&correction) && self.is_settled(known, &x, &before, &correction)", "self.is_enough(&correction)"),
-    mutation("the next correction is told by the last two", RATE, "e * e * e <= T::constant(SETTLED_MARGIN) * tolerance * before * before", "e * e * e <= T::constant(SETTLED_MARGIN) * tolerance"),
+    mutation("the next correction is told by the last two", RATE, "e * e * e <= T::constant(RATE_MARGIN) * tolerance * before * before", "e * e * e <= T::constant(RATE_MARGIN) * tolerance"),
     mutation("a correction that ends a step alone is small", RATE, "(T::constant(RATE_MARGIN) * tolerance).sqrt()", "T::constant(RATE_MARGIN).sqrt()"),
     mutation("corrections whose rounding grows are not trusted", NEWTON, "(growth <= most_growth::<T>()).then_some(correction)", "(growth >= T::constant(0.0)).then_some(correction)"),
     mutation("what a solver learnt is forgotten with the state", NEWTON, "self.shifts = Shifts::new(self.x);\n        self.trust = 0;", ""),

@@ -64,8 +64,7 @@ pub(crate) fn scales(blocks: &[Unknown], state: &[Row], x: &[Row]) -> Vec<Row> {
 /// first been smaller by a factor, the second would have been by its square.
 pub(crate) fn limits(
     blocks: &[Unknown],
-    state: &[Row],
-    x: &[Row],
+    scales: &[Row],
     first: &[Row],
     second: &[Row],
     tolerance: f64,
@@ -76,7 +75,7 @@ pub(crate) fn limits(
     for block in blocks {
         let unknowns = offset..offset + block.len;
         offset = unknowns.end;
-        let scale = scale(block, state, &x[unknowns.clone()]);
+        let scale = scales[unknowns.start];
         let size = largest(&second[unknowns]);
         for i in 0..WIDTH {
             let is_seen = size[i] > AT_ROUNDING * f64::EPSILON * scale[i];
@@ -92,7 +91,7 @@ pub(crate) fn limits(
     for block in blocks {
         let offset = limits.len();
         let mut limit = largest(&first[offset..offset + block.len]);
-        let scale = scale(block, state, &x[offset..offset + block.len]);
+        let scale = scales[offset];
         for i in 0..WIDTH {
             let most = most_enough(tolerance) * scale[i];
             limit[i] = f64::min(limit[i] * square[i].sqrt(), most);

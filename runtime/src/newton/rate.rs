@@ -1,8 +1,8 @@
 //! What two corrections in a row tell of those to come.
 
 use crate::scalar::Real;
+use crate::settings::HARMLESS;
 use crate::settings::RATE_MARGIN;
-use crate::settings::SETTLED_MARGIN;
 use crate::settings::TELLING;
 
 /// Whether corrections of that relative size are near enough to the solution to tell how fast they shrink.
@@ -23,7 +23,7 @@ pub(crate) fn is_last<T: Real>(e: T, before: T, tolerance: T) -> bool {
 /// and the one `before` it tell: e³/before².
 #[inline]
 pub(crate) fn is_settled<T: Real>(e: T, before: T, tolerance: T) -> bool {
-    is_telling(before) && e * e * e <= T::constant(SETTLED_MARGIN) * tolerance * before * before
+    is_telling(before) && e * e * e <= T::constant(RATE_MARGIN) * tolerance * before * before
 }
 
 /// The largest part of what it corrects that a correction may be without another to tell how fast they shrink. Equations that
@@ -31,4 +31,10 @@ pub(crate) fn is_settled<T: Real>(e: T, before: T, tolerance: T) -> bool {
 #[inline]
 pub(crate) fn most_enough<T: Real>(tolerance: T) -> T {
     (T::constant(RATE_MARGIN) * tolerance).sqrt()
+}
+
+/// The part of what it corrects up to which a first correction is usual, whatever the one of the step before.
+#[inline]
+pub(crate) fn most_harmless<T: Real>() -> T {
+    T::constant(HARMLESS) * T::EPSILON.sqrt()
 }

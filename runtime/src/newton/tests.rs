@@ -4,13 +4,10 @@ use crate::Failure;
 use crate::Place;
 use crate::Report;
 use crate::Settings;
-use crate::Statistics;
 use crate::StepError;
 use crate::Stepper;
 use crate::Success;
 use crate::description::Unknown;
-use crate::model::System;
-use crate::newton::Newton;
 use crate::specimens::root::Evaluated;
 use crate::specimens::root::Flat;
 use crate::specimens::root::Problem;
@@ -378,24 +375,4 @@ impl Problem<1> for Nowhere {
 fn a_residual_without_a_value_comes_before_a_singular_jacobian() {
     let (_, outcome) = solve!(Nowhere, [1.0], DEFAULT);
     assert_eq!(outcome.unwrap_err().fault.failure, Failure::NotFinite);
-}
-
-#[test]
-fn corrections_in_closed_form_are_not_trusted_where_the_pivot_cancels() {
-    use crate::specimens::pendulum;
-
-    // The determinant is 1 + h² c cos θ/4 for θ half way.
-    let h = 0.5;
-    for (c, is_trusted) in [(4.0 / (h * h), false), (1.0, true)] {
-        let parameters = pendulum::Parameters {
-            c,
-            ..pendulum::Parameters::default()
-        };
-        let scene = <pendulum::Next as System<f64>>::scene(&parameters, h);
-        let state = [std::f64::consts::PI, 0.0];
-        let step = <pendulum::Next as System<f64>>::step(&scene, 0.0, &state);
-        let mut newton = Newton::<pendulum::Next, f64>::new(DEFAULT);
-        let correction = newton.correction(&scene, &step, &state, &mut Statistics::default());
-        assert_eq!(correction.is_some(), is_trusted, "{c}");
-    }
 }

@@ -7,6 +7,8 @@ use super::blocks;
 use super::rate::is_last;
 use super::rate::is_telling;
 use super::rate::most_enough;
+use super::rate::most_harmless;
+use super::relative_size;
 use super::subtract;
 use crate::error::Failure;
 use crate::error::Fault;
@@ -21,7 +23,6 @@ use crate::scalar::Real;
 use crate::scalar::first_not_finite;
 use crate::scalar::largest_of;
 use crate::settings::AT_ROUNDING;
-use crate::settings::HARMLESS;
 use crate::settings::LEFTOVER;
 use crate::settings::ROUNDING;
 use crate::settings::TRUSTED_STEPS;
@@ -167,7 +168,7 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
         for (unknowns, scale) in self.blocks(known) {
             let own = harmless.as_mut().iter_mut();
             for harmless in own.take(unknowns.end).skip(unknowns.start) {
-                *harmless = T::constant(HARMLESS) * T::EPSILON.sqrt() * scale;
+                *harmless = most_harmless::<T>() * scale;
             }
             let limit = square.sqrt() * largest_of(self.previous.as_ref(), &unknowns);
             let most = most_enough(self.settings.tolerance) * scale;
@@ -216,9 +217,8 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
     /// Judges `correction` block by block. A block is measured by itself and by the state it advances, never
     /// by another block, so the verdict does not depend on the units of the states.
     fn progress(&self, correction: &S::Unknowns, known: &[T]) -> Progress<T> {
-        let zero = T::constant(0.0);
         let mut progress = Progress {
-            size: zero,
+            size: relative_size::<S, T>(known, &self.x, correction),
             converged: true,
             shrinking: true,
         };
@@ -229,9 +229,6 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
             if !within {
                 progress.converged = false;
                 progress.shrinking &= length < before;
-            }
-            if length > progress.size * scale {
-                progress.size = length / scale;
             }
         }
         progress

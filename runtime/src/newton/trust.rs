@@ -2,9 +2,11 @@
 
 use crate::Settings;
 use crate::Statistics;
+use crate::model::System;
 use crate::newton::Newton;
 use crate::newton::rate::is_settled;
 use crate::newton::rate::most_enough;
+use crate::specimens::pendulum;
 use crate::specimens::root::Evaluated;
 use crate::specimens::root::Problem;
 use crate::specimens::root::Root;
@@ -57,4 +59,22 @@ fn two_corrections_tell_the_next() {
     // A curvature of 1 leaves the square of a correction.
     let alone: f64 = most_enough(1e-12);
     assert!(alone * alone <= 1.0001e-13 && alone > 1e-7);
+}
+
+#[test]
+fn corrections_in_closed_form_are_not_trusted_where_the_pivot_cancels() {
+    // The determinant is 1 + h² c cos θ/4 for θ half way.
+    let h = 0.5;
+    for (c, is_trusted) in [(4.0 / (h * h), false), (1.0, true)] {
+        let parameters = pendulum::Parameters {
+            c,
+            ..pendulum::Parameters::default()
+        };
+        let scene = <pendulum::Next as System<f64>>::scene(&parameters, h);
+        let state = [std::f64::consts::PI, 0.0];
+        let step = <pendulum::Next as System<f64>>::step(&scene, 0.0, &state);
+        let mut newton = Newton::<pendulum::Next, f64>::new(Settings::default());
+        let correction = newton.correction(&scene, &step, &state, &mut Statistics::default());
+        assert_eq!(correction.is_some(), is_trusted, "{c}");
+    }
 }

@@ -14,7 +14,7 @@ use crate::ensemble::rows::zeros;
 use crate::newton::rate::is_last;
 use crate::newton::rate::is_settled;
 use crate::newton::rate::is_telling;
-use crate::settings::HARMLESS;
+use crate::newton::rate::most_harmless;
 use crate::settings::MOST_GROWTH;
 use crate::settings::MOST_QUICK;
 use crate::settings::TRUSTED_STEPS;
@@ -83,15 +83,8 @@ impl Group<'_> {
             self.kernel.correct(self.arch, start, landing);
             let now = judge::progress(blocks, &self.state, &last_x, &self.correction, tolerance);
             if round == 2 {
-                let limits = judge::limits(
-                    blocks,
-                    &self.state,
-                    &last_x,
-                    &first,
-                    &self.correction,
-                    tolerance,
-                );
                 let scales = judge::scales(blocks, &self.state, &last_x);
+                let limits = judge::limits(blocks, &scales, &first, &self.correction, tolerance);
                 let telling = core::array::from_fn(|i| open[i] && is_telling(before.size[i]));
                 self.learn(&telling, &limits, &scales);
             }
@@ -145,7 +138,7 @@ impl Group<'_> {
                 self.due[lane] = self.step + 1 + u64::from(TRUSTED_STEPS);
             }
             for (harmless, scale) in self.harmless.iter_mut().zip(scales) {
-                harmless[lane] = HARMLESS * f64::EPSILON.sqrt() * scale[lane];
+                harmless[lane] = most_harmless::<f64>() * scale[lane];
             }
             for (enough, limit) in self.enough.iter_mut().zip(limits) {
                 if is_due || limit[lane] > enough[lane] {
