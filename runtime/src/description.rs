@@ -148,12 +148,11 @@ impl Solver {
 
     /// The components of the state that the unknowns are, in their order; none if the state does not tell all of them.
     pub fn own_states(&self) -> Option<impl Iterator<Item = usize>> {
-        let is_told = |block: &Unknown| block.measure.as_ref().map(Range::len) == Some(block.len);
         let measures = self
             .unknowns
             .iter()
             .filter_map(|block| block.measure.clone());
-        let all_told = self.unknowns.iter().all(is_told);
+        let all_told = self.unknowns.iter().all(|block| block.told);
         all_told.then(|| measures.flatten())
     }
 }
@@ -196,6 +195,8 @@ pub struct Unknown {
     /// The state that it advances, in the flat state, if it does: what its size is measured by. For some components
     /// of a vector that is all of it.
     pub measure: Option<Range<usize>>,
+    /// The state after the step tells it: it is all of that state, and no `update` gives that another value.
+    pub told: bool,
 }
 
 /// An equation.

@@ -8,6 +8,7 @@ use crate::scalar::Real;
 use crate::scalar::Scalar;
 use crate::scalar::larger;
 use crate::scalar::largest_of;
+use crate::settings::REACH;
 
 /// Relative size of the moves that sensitivity is measured by: half of the digits.
 #[inline]
@@ -17,10 +18,7 @@ fn relative_move<T: Real>() -> T {
 
 /// Whether some of the state follows from unknowns that are not its own.
 pub(crate) fn follows<S: System<T>, T: Scalar>() -> bool {
-    let told = S::UNKNOWNS.iter().filter(|block| {
-        let own = block.measure.as_ref();
-        own.is_some_and(|own| own.len() == block.len)
-    });
+    let told = S::UNKNOWNS.iter().filter(|block| block.told);
     let told: usize = told.map(|block| block.len).sum();
     let states = S::Model::DESCRIPTION.states.iter();
     let all: usize = states.map(|state| state.rows * state.cols).sum();
@@ -74,6 +72,24 @@ pub(crate) fn amplification<S: System<T>, T: Real>(
     }
     most.times = most.times / relative_move::<T>();
     most
+}
+
+/// How large a state may become before the amplification is looked at again: [`REACH`] times what each variable is, or was
+/// before. What follows from the unknowns usually grows with them.
+pub(crate) fn reach<S: System<T>, T: Real>(
+    before: &StateArray<S, T>,
+    state: &StateArray<S, T>,
+) -> StateArray<S, T> {
+    let mut reach = *before;
+    let mut offset = 0;
+    for variable in S::Model::DESCRIPTION.states {
+        let own = offset..offset + variable.rows * variable.cols;
+        offset = own.end;
+        let most = T::constant(REACH) * largest_of(state.as_ref(), &own);
+        let own = reach.as_mut().iter_mut().take(own.end).skip(own.start);
+        own.for_each(|reach| *reach = larger(*reach, most));
+    }
+    reach
 }
 
 /// The largest change of a variable relative to its scale.

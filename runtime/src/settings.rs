@@ -105,6 +105,10 @@ pub(crate) const AT_ROUNDING: f64 = 4.0;
 /// steps where rounding does not. Larger drifts, smaller takes more corrections.
 pub(crate) const LEFTOVER: f64 = 1.0 / 1024.0;
 
+/// Growth of a state within which rounding of the unknowns is taken to grow no more on its way to it. Larger notices later what is then
+/// refused; smaller looks more often while a motion sets out.
+pub(crate) const REACH: f64 = 4.0;
+
 /// Steps after which convergence is measured again: twice as many would save a hundredth of a step, half as many cost two.
 pub(crate) const TRUSTED_STEPS: u32 = 63;
 

@@ -23,6 +23,7 @@ use crate::scalar::all_finite;
 use crate::sensitivity::Amplification;
 use crate::sensitivity::amplification;
 use crate::sensitivity::follows;
+use crate::sensitivity::reach;
 use crate::settings::Settings;
 use crate::settings::Strategy;
 use crate::settings::most_growth;
@@ -45,6 +46,8 @@ pub struct Implicit<S: Solvable<T>, T: Real> {
 struct Solver<S: Correctable<T>, T: Real> {
     /// Some of the state follows from unknowns that are not its own.
     follows: bool,
+    /// States up to here are known from the unknowns, as they were where that was looked at.
+    reach: StateArray<S, T>,
     scene: S::Scene,
     newton: Newton<S, T>,
 }
@@ -60,8 +63,11 @@ impl<S: Solvable<T>, T: Real> Stepper<S, T> {
 
 impl<S: Correctable<T>, T: Real> Solver<S, T> {
     fn new(parameters: &<S::Model as Model<T>>::Parameters, h: T) -> Self {
+        let mut reach = S::Model::start(parameters).to_array();
+        reach.as_mut().fill(T::constant(0.0));
         Self {
             follows: follows::<S, T>(),
+            reach,
             scene: S::scene(parameters, h),
             newton: Newton::new(Settings::default()),
         }
@@ -95,6 +101,7 @@ impl<S: Correctable<T>, T: Real> Solver<S, T> {
         let (next, lost_then) = self.after(&step, state, &x, lost);
         require_finite(&next)?;
         check(state, &next)?;
+        self.reach = reach::<S, T>(&self.reach, &next);
         (*state, *lost) = (next, lost_then);
         Ok(report)
     }
@@ -159,7 +166,8 @@ impl<S: Correctable<T>, T: Real> Solver<S, T> {
                 break;
             };
             let (next, lost_then) = self.after(&step, &here, &x, &lost_here);
-            if !(is_trusted::<S, T>(&self.scene, &step, &x) & all_finite(next.as_ref())) {
+            let is_sound = is_trusted::<S, T>(&self.scene, &step, &x) & all_finite(next.as_ref());
+            if !(is_sound & self.is_within_reach(&next)) {
                 break;
             }
             (here, lost_here) = (next, lost_then);
@@ -169,6 +177,13 @@ impl<S: Correctable<T>, T: Real> Solver<S, T> {
         (*state, *lost) = (here, lost_here);
         self.newton.spend(taken);
         taken
+    }
+
+    /// Whether such states were known from the unknowns. False for NaN.
+    #[inline]
+    fn is_within_reach(&self, state: &StateArray<S, T>) -> bool {
+        let pairs = state.as_ref().iter().zip(self.reach.as_ref());
+        !self.follows || pairs.fold(true, |all, (x, reach)| all & (x.abs() <= *reach))
     }
 
     /// The state after the step, and what its sums have lost to rounding.

@@ -1,7 +1,7 @@
 //! Steps are right although what was learned from earlier ones no longer holds.
 
-use residua::erased::{AnySolver, Catalogued};
-use residua::{Fleet, Settings};
+use residua::erased::{AnySolver, Catalogued, Sample};
+use residua::{Fleet, Outcome, Settings};
 use residua_tests::case::{Case, solver};
 use std::ops::ControlFlow;
 use std::sync::Mutex;
@@ -35,6 +35,38 @@ mod spin {
         solve for increment;
         start { ω = 1; R = I; }
     }
+}
+
+/// A state that is known to two digits after each step, although what is solved for has all.
+mod magnified {
+    residua::model! {
+        //! Magnifier.
+        param c = 1e14;
+        state x;
+        residual { Δx = h*cos(x[k+1/2]); }
+        update { x = sin(c*x[k+1]); }
+        solve for next, increment;
+        start { x = 0.3; }
+    }
+}
+
+/// An ensemble of one, which is shown after each step.
+fn fly(case: &Case, h: f64, steps: u64, observer: &(dyn Fn(Sample) + Sync)) -> Outcome {
+    let fleet = Fleet {
+        trajectories: 0..1,
+        fill: &|_, parameters, start| {
+            parameters.copy_from_slice(&case.parameters);
+            start.copy_from_slice(&case.start);
+        },
+        h,
+        t0: 0.0,
+        steps,
+        every: 1,
+        settings: Settings::default(),
+        observer: &|_, sample| observer(sample),
+    };
+    let outcomes = solver(case.model, "increment").fly(&fleet).expect("a run");
+    outcomes[0].clone()
 }
 
 /// The states of a run, and the one after each step that corrections judged one by one lead to.
@@ -99,23 +131,11 @@ fn a_kick_is_not_solved_as_what_was_before_it() {
         let solver = solver(case.model, "increment");
         assert_right(&steps(solver, &case, h, 100), &format!("a = {a}"));
         let shown = Mutex::new(Vec::new());
-        let fleet = Fleet {
-            trajectories: 0..1,
-            fill: &|_, parameters, start| {
-                parameters.copy_from_slice(&case.parameters);
-                start.copy_from_slice(&case.start);
-            },
-            h,
-            t0: 0.0,
-            steps: 100,
-            every: 1,
-            settings: Settings::default(),
-            observer: &|_, sample| {
-                let mut shown = shown.lock().expect("no panic");
-                shown.push((sample.t, sample.state.to_vec()));
-            },
-        };
-        solver.fly(&fleet).expect("a run");
+        let outcome = fly(&case, h, 100, &|sample| {
+            let mut shown = shown.lock().expect("no panic");
+            shown.push((sample.t, sample.state.to_vec()));
+        });
+        assert!(outcome.error.is_none(), "a = {a}");
         let states = shown.into_inner().expect("no panic");
         let pairs = compare(solver, &case, h, &states);
         assert_right(&pairs, &format!("a = {a}, in an ensemble"));
@@ -138,6 +158,24 @@ fn a_rotation_that_cannot_be_known_is_refused() {
         message.contains("state R(1,1) at the end of the step is not known"),
         "{message}"
     );
-    // It is looked at every 64 steps, within which the rate grows 47 times.
-    assert!(last < 47.0 * 1e7, "{last:e}");
+    // It is looked at whenever the rate has grown 4 times.
+    assert!(last < 4.1e7, "{last:e}");
+    let shown = Mutex::new(0.0);
+    let outcome = fly(&case, 0.1, 700, &|sample| {
+        *shown.lock().expect("no panic") = sample.state[0];
+    });
+    assert!(outcome.error.is_some(), "in an ensemble");
+    let last = shown.into_inner().expect("no panic");
+    assert!((1e6..4.1e7).contains(&last), "{last:e} in an ensemble");
+}
+
+#[test]
+fn a_state_that_its_update_magnifies_is_refused() {
+    let case = Case::of_file(&magnified::MODEL);
+    for solver in case.model.solvers {
+        let outcome = solver.simulate(&case.run(0.1, 10), &mut |_| ControlFlow::Continue(()));
+        let message = outcome.expect_err("two digits are left").to_string();
+        let expected = "state x at the end of the step is not known";
+        assert!(message.contains(expected), "{message}");
+    }
 }

@@ -259,21 +259,25 @@ pub(super) fn unknowns(model: &Model, form: Form, kept: &[usize]) -> Vec<TokenSt
 /// A block of unknowns: some components of a variable.
 fn unknown(model: &Model, solved: Solved, form: Form, len: usize) -> TokenStream {
     let variable = model.solved_variable(solved);
-    let (shown, len) = (&variable.name.display, whole(len));
+    let shown = &variable.name.display;
     let name = match (solved, form) {
         (Solved::Own(_), _) => shown.clone(),
         (Solved::State(_), Form::Next) => format!("{shown}[k+1]"),
         (Solved::State(_), Form::Increment) => format!("Δ{shown}"),
     };
-    let measure = match solved {
-        Solved::Own(_) => quote!(::core::option::Option::None),
-        Solved::State(_) => {
+    let (measure, told) = match solved {
+        Solved::Own(_) => (quote!(::core::option::Option::None), false),
+        Solved::State(i) => {
             let start = whole(variable.offset);
             let end = whole(variable.offset + variable.shape.len());
-            quote!(::core::option::Option::Some(#start..#end))
+            let told = len == variable.shape.len() && model.states[i].update.is_none();
+            (quote!(::core::option::Option::Some(#start..#end)), told)
         }
     };
-    quote!(::residua::description::Unknown { name: #name, len: #len, measure: #measure })
+    let len = whole(len);
+    quote! {
+        ::residua::description::Unknown { name: #name, len: #len, measure: #measure, told: #told }
+    }
 }
 
 fn count(count: Count) -> TokenStream {

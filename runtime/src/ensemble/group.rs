@@ -27,6 +27,7 @@ use crate::erased::Sample;
 use crate::error::RunError;
 use crate::report::Statistics;
 use crate::settings::Strategy;
+use crate::settings::TRUSTED_STEPS;
 
 /// Steps that a trajectory takes alone after one that it could not take with its group. Each time twice as many as
 /// before: more keeps it from disturbing the group, fewer gets it back to its speed.
@@ -63,7 +64,11 @@ pub(super) struct Group<'a> {
     enough: Vec<Row>,
     /// Those up to here leave little, whatever the equations have become.
     harmless: Vec<Row>,
-    /// The step at which that is found out anew.
+    /// Some of the state follows from unknowns that are not its own.
+    follows: bool,
+    /// States up to here are known from the unknowns, as they were where that was looked at.
+    reach: Vec<Row>,
+    /// The step at which convergence is measured anew.
     due: [u64; WIDTH],
     /// The first step at which it is for any trajectory.
     quiet_until: u64,
@@ -112,6 +117,8 @@ impl<'a> Group<'a> {
             shifts: Shifts::new(sizes.unknowns),
             enough: vec![all(NEVER); sizes.unknowns],
             harmless: rows(sizes.unknowns),
+            follows: kernel.follows(),
+            reach: rows(sizes.state),
             due: [0; WIDTH],
             quiet_until: 0,
             start: rows(sizes.unknowns),
@@ -168,16 +175,23 @@ impl<'a> Group<'a> {
 
     /// Starts a trajectory: in step, where the model and the settings allow it.
     fn seat(&mut self, lane: usize) {
-        // Whoever can start at all can start alone.
-        self.depart(lane, u64::MAX);
         let settings = self.fleet.settings;
         let can_join = self.kernel.has_correction()
             && settings.strategy == Strategy::Core
             && settings.is_above_rounding();
-        if can_join && matches!(self.seats[lane], Seat::Alone { .. }) {
+        // Whoever can start at all can start alone.
+        let is_first_alone = can_join && self.is_explicit();
+        self.depart(lane, if is_first_alone { 1 } else { u64::MAX });
+        let is_alone = matches!(self.seats[lane], Seat::Alone { .. });
+        if can_join && is_alone && !is_first_alone {
             self.stand_up(lane);
             self.join(lane);
         }
+    }
+
+    /// Nothing is iterated on, and no correction shows what goes wrong: now and then, each trajectory takes a step alone.
+    fn is_explicit(&self) -> bool {
+        self.start.is_empty()
     }
 
     fn join(&mut self, lane: usize) {
@@ -185,7 +199,12 @@ impl<'a> Group<'a> {
         self.idle[lane] = 0.0;
         self.together += 1;
         self.iterations[lane] -= self.rounds as i64;
-        (self.due[lane], self.quiet_until) = (self.step, self.step);
+        let quiet = if self.is_explicit() {
+            u64::from(TRUSTED_STEPS)
+        } else {
+            0
+        };
+        (self.due[lane], self.quiet_until) = (self.step + quiet, self.step);
         for row in &mut self.lost[0] {
             row[lane] = 0.0;
         }
@@ -239,6 +258,9 @@ impl<'a> Group<'a> {
         if !done {
             self.correct_again();
         }
+        if self.follows {
+            self.watch();
+        }
         if !is_quiet {
             self.settle();
         }
@@ -246,6 +268,20 @@ impl<'a> Group<'a> {
             self.lost.swap(0, 1);
         }
         self.shifts.push();
+    }
+
+    /// Notices who has grown beyond where the state was known from the unknowns.
+    #[inline]
+    fn watch(&mut self) {
+        let mut grown = [false; WIDTH];
+        for (next, reach) in self.next.iter().zip(&self.reach) {
+            for lane in 0..WIDTH {
+                grown[lane] |= (next[lane].abs() > reach[lane]) & (self.idle[lane] == 0.0);
+            }
+        }
+        if grown != [false; WIDTH] {
+            self.look(&grown);
+        }
     }
 
     /// Lets a trajectory go on alone from the state before the step.

@@ -17,6 +17,7 @@ use super::rows::set_lanes;
 use crate::compensated::compensated_sum;
 use crate::description::Count;
 use crate::description::Unknown;
+use crate::description::Variable;
 use crate::erased::parameters;
 use crate::erased::state;
 use crate::error::InvalidRun;
@@ -138,6 +139,10 @@ pub(crate) trait Kernel: Sync {
     fn sizes(&self) -> Sizes;
     /// The blocks of the unknowns.
     fn blocks(&self) -> &'static [Unknown];
+    /// The variables of the state.
+    fn states(&self) -> &'static [Variable];
+    /// Some of the state follows from unknowns that are not its own.
+    fn follows(&self) -> bool;
     /// Corrections are in closed form; without, every trajectory goes alone.
     fn has_correction(&self) -> bool;
     /// Overwrites `out` with the scene of one trajectory.
@@ -177,6 +182,14 @@ impl<S: Wide + 'static> Kernel for Emitted<S> {
         Core::<S, f64>::UNKNOWNS
     }
 
+    fn states(&self) -> &'static [Variable] {
+        <<S as System<f64>>::Model as Model<f64>>::DESCRIPTION.states
+    }
+
+    fn follows(&self) -> bool {
+        follows::<Core<S, f64>, f64>()
+    }
+
     fn has_correction(&self) -> bool {
         Core::<S, f64>::HAS_CORRECTION
     }
@@ -210,9 +223,6 @@ impl<S: Wide + 'static> Kernel for Emitted<S> {
     }
 
     fn amplification(&self, lane: usize, t: f64, scene: &[Row], state: &[Row], x: &[Row]) -> f64 {
-        if !follows::<Core<S, f64>, f64>() {
-            return 0.0;
-        }
         let parameters = <<S as System<f64>>::Model as Model<f64>>::Parameters::default();
         let mut known = <<S as System<f64>>::Model as Model<f64>>::start(&parameters).to_array();
         get(state, lane, known.as_mut());

@@ -309,6 +309,7 @@ const fn force(name: &'static str) -> Unknown {
         name,
         len: 1,
         measure: None,
+        told: false,
     }
 }
 

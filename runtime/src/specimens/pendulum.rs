@@ -272,6 +272,7 @@ const fn unknown(name: &'static str, state: usize) -> Unknown {
         name,
         len: 1,
         measure: Some(state..state + 1),
+        told: true,
     }
 }
 

@@ -22,6 +22,7 @@ pub(crate) trait Problem<const N: usize> {
         name: "x[k+1]",
         len: N,
         measure: Some(0..N),
+        told: true,
     }];
     /// Some unknowns were eliminated.
     const HAS_CORE: bool = false;

@@ -71,6 +71,7 @@ impl Problem<1> for Difference {
         name: "F",
         len: 1,
         measure: None,
+        told: false,
     }];
     fn evaluate(x: [f64; 1]) -> Evaluated<1> {
         two(x)

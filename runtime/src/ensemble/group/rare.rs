@@ -17,6 +17,7 @@ use crate::newton::rate::is_telling;
 use crate::newton::rate::most_harmless;
 use crate::settings::MOST_GROWTH;
 use crate::settings::MOST_QUICK;
+use crate::settings::REACH;
 use crate::settings::TRUSTED_STEPS;
 
 impl Group<'_> {
@@ -31,6 +32,10 @@ impl Group<'_> {
         let due: Mask = core::array::from_fn(|lane| self.is_due(lane));
         let scales = judge::scales(self.kernel.blocks(), &self.state, &self.x);
         self.shifts.set_out(self.arch, &due, &scales);
+        if self.is_explicit() {
+            let due = (0..WIDTH).filter(|lane| due[*lane]);
+            due.for_each(|lane| self.depart(lane, self.step + 1));
+        }
         for enough in &mut self.enough {
             for lane in 0..WIDTH {
                 enough[lane] = if due[lane] { NEVER } else { enough[lane] };
@@ -115,15 +120,46 @@ impl Group<'_> {
         // What the next step's are compared with.
         self.correction = first;
         for lane in (0..WIDTH).filter(|lane| open[*lane]) {
-            let absence = FIRST_ABSENCE << self.absences[lane].min(32);
-            self.absences[lane] += 1;
-            self.depart(lane, self.step.saturating_add(absence));
+            self.give_up(lane);
+        }
+    }
+
+    /// Lets a trajectory go that cannot take this step with its group.
+    fn give_up(&mut self, lane: usize) {
+        let absence = FIRST_ABSENCE << self.absences[lane].min(32);
+        self.absences[lane] += 1;
+        self.depart(lane, self.step.saturating_add(absence));
+    }
+
+    /// Looks again at those whose states have grown since it was known that unknowns tell them.
+    #[cold]
+    pub(super) fn look(&mut self, grown: &Mask) {
+        for lane in (0..WIDTH).filter(|lane| grown[*lane]) {
+            if self.is_explicit() {
+                self.depart(lane, self.step + 1);
+            } else if !self.is_known(lane, &self.x) {
+                self.give_up(lane);
+                continue;
+            }
+            let mut offset = 0;
+            for variable in self.kernel.states() {
+                let own = offset..offset + variable.rows * variable.cols;
+                offset = own.end;
+                let next = self.next[own.clone()].iter();
+                let most = next.fold(0.0, |most, row| f64::max(most, row[lane].abs()));
+                for reach in &mut self.reach[own] {
+                    reach[lane] = f64::max(reach[lane], REACH * most);
+                }
+            }
         }
     }
 
     /// Whether the state after the step follows from the unknowns to more than rounding, which is looked at together with
     /// convergence.
     fn is_known(&self, lane: usize, x: &[Row]) -> bool {
+        if !self.follows {
+            return true;
+        }
         let growth = self
             .kernel
             .amplification(lane, self.t(), &self.scene, &self.state, x);
