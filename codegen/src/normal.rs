@@ -40,8 +40,12 @@ const CONTENT: u128 = 64;
 /// Largest exponent that products of powers are merged into.
 const EXPONENT: i32 = 1 << 12;
 
-/// Most bits of a number that a power is folded into.
-const BITS: u64 = 1 << 14;
+/// Most bits of a number that is exact, and that a power is folded into: twice those of any double. Larger makes nonsense such
+/// as a product of a hundred fractions slow.
+const BITS: u64 = 1 << 12;
+
+/// Bits of what a longer number is rounded to: more than twice those of the most precise evaluation.
+const KEPT_BITS: u64 = 256;
 
 impl Dag {
     /// A number.
@@ -82,7 +86,7 @@ impl Dag {
     /// c a
     pub fn scale(&mut self, coefficient: BigRational, a: NodeId) -> NodeId {
         if let Some(value) = self.as_constant(a) {
-            let value = value * coefficient;
+            let value = times(value, coefficient);
             return self.constant(value);
         }
         let (inner, core) = self.split_coefficient(a);
@@ -118,7 +122,7 @@ impl Dag {
         let mut terms: Vec<(BigRational, NodeId)> = Vec::with_capacity(collected.len());
         for (coefficient, id) in collected {
             match terms.last_mut() {
-                Some(last) if last.1 == id => last.0 += coefficient,
+                Some(last) if last.1 == id => last.0 = shortened(&last.0 + coefficient),
                 _ => terms.push((coefficient, id)),
             }
         }
@@ -234,10 +238,24 @@ pub fn times(a: &BigRational, b: BigRational) -> BigRational {
     } else if b.is_one() {
         a.clone()
     } else if a.denom().is_one() && b.denom().is_one() {
-        BigRational::from_integer(a.numer() * b.numer())
+        shortened(BigRational::from_integer(a.numer() * b.numer()))
     } else {
-        a * b
+        shortened(a * b)
     }
+}
+
+/// The number, or one of [`KEPT_BITS`] where it has more than [`BITS`].
+fn shortened(value: BigRational) -> BigRational {
+    let (above, below) = (value.numer().bits(), value.denom().bits());
+    if above + below <= BITS {
+        return value;
+    }
+    let spare = |bits: u64| bits.saturating_sub(KEPT_BITS);
+    let (above, below) = (spare(above), spare(below));
+    let leading = BigRational::new(value.numer() >> above, value.denom() >> below);
+    let common = above.min(below);
+    let power = |bits: u64| BigInt::one() << (bits - common);
+    leading * BigRational::new(power(above), power(below))
 }
 
 /// aⁿ, at no cost for n = 1: the usual case.

@@ -61,6 +61,12 @@ fn evaluate(written: &UnitExpr, errors: &mut Errors) -> ComponentUnit {
 fn similar_unit(symbol: &str) -> String {
     match unit::symbols().find(|known| known.eq_ignore_ascii_case(symbol)) {
         Some(known) => format!("did you mean `{known}`?"),
+        None if ["vec", "mat", "Vec", "Mat"]
+            .iter()
+            .any(|word| symbol.starts_with(word)) =>
+        {
+            "a shape stands in brackets: [3], [3, 3]".to_owned()
+        }
         None => {
             let known: Vec<_> = unit::symbols().collect();
             format!("known are {} and 1", known.join(", "))

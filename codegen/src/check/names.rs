@@ -13,6 +13,7 @@ use crate::function::Function;
 use crate::function::NO_CONDITIONALS;
 use crate::function::TABLE;
 use crate::model::Op;
+use crate::similar::most_similar;
 use crate::unit::Unit;
 
 /// Functions by other names that they go by.
@@ -223,9 +224,12 @@ impl Typing<'_> {
             let help = format!("{NO_CONDITIONALS}{instead}");
             return self.fail_once(key, range, message, Some(help));
         }
-        let functions = TABLE.iter().map(|row| row.0);
         let close = |candidate: &str| strsim::damerau_levenshtein(candidate, &name.ascii) <= 1;
-        let similar = functions.into_iter().find(|f| f.len() > 1 && close(f));
+        let functions = TABLE
+            .iter()
+            .map(|row| row.0)
+            .filter(|f| f.len() > 1 && close(f));
+        let similar = most_similar(&name.ascii, functions.map(|f| (f, f)), 0.0);
         let similar = similar.or_else(|| self.symbols.similar(name));
         let help = similar.map(|similar| format!("did you mean `{similar}`?"));
         self.fail_once(key, range, message, help)

@@ -259,3 +259,26 @@ fn powers_of_products_and_halves_keep_their_value() {
     let inverse = dag.product([(product, -2), (a, 2)]);
     assert_eq!(inverse, dag.product([(b, -2)]));
 }
+
+#[test]
+fn numbers_beyond_all_measure_are_rounded() {
+    let mut dag = Dag::new();
+    let third = dag.constant(BigRational::new(1.into(), 3.into()));
+    let long = dag.constant(BigRational::new((i64::MAX - 1).into(), i64::MAX.into()));
+    let (mut product, mut sum) = (third, third);
+    for _ in 0..300 {
+        product = dag.mul(product, long);
+        sum = dag.add(sum, product);
+    }
+    let value = |number: &BigRational| number.to_f64().expect("a number");
+    let exact = (1.0 / 3.0) * (-300.0 / (i64::MAX as f64)).exp();
+    let found = dag.as_constant(product).expect("a number");
+    assert!(
+        found.numer().bits() + found.denom().bits() <= BITS,
+        "{found}"
+    );
+    assert!((value(found) - exact).abs() <= f64::EPSILON * exact);
+    let found = value(dag.as_constant(sum).expect("a number"));
+    let exact = 301.0 / 3.0;
+    assert!((found - exact).abs() <= 4.0 * f64::EPSILON * exact);
+}

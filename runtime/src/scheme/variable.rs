@@ -36,6 +36,11 @@ impl<T: Real> Tolerance<T> {
     }
 }
 
+impl Tolerance {
+    /// What no relative tolerance comes below: rounding would be taken for an error of the method.
+    pub const LEAST: f64 = LEAST * f64::EPSILON;
+}
+
 /// The least tolerance, in ε of a component: with less, rounding would be taken for an error of the method.
 const LEAST: f64 = 4.0;
 

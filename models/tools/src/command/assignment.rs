@@ -64,8 +64,17 @@ pub fn assign(
     target: Target<'_>,
     symbols: &[(Symbol<'_>, Vec<f64>)],
 ) -> Result<(), Failure> {
+    let mut made: Vec<(Range<usize>, &Assignment)> = Vec::new();
     for assignment in assignments {
         let place = place(assignment, &target)?;
+        if let Some((_, before)) = made.iter().find(|(range, _)| *range == place.range) {
+            let message = format!(
+                "`{before}` and `{assignment}` give the same {}",
+                target.kind
+            );
+            return Err(Failure::input(message));
+        }
+        made.push((place.range.clone(), assignment));
         let values = evaluate(&assignment.value, &place.symbol, symbols)
             .map_err(|message| bad_value(assignment, &message))?;
         if let Some(value) = values.iter().find(|value| !value.is_finite()) {

@@ -41,9 +41,9 @@ impl New {
         file.write_all(include_bytes!("template.model"))
             .map_err(|error| Failure::file("write", &path, &error))?;
         tell!("{} written; next:", path.display());
-        tell!("  cargo run -- check {}", self.name);
+        tell!("  cargo run --release -- check {}", self.name);
         tell!(
-            "  cargo run -- simulate {} --plot {}.svg",
+            "  cargo run --release -- simulate {} --plot {}.svg",
             self.name,
             self.name
         );

@@ -96,8 +96,8 @@ impl Simulate {
         let entry = self.motion.entry()?;
         let model = entry.catalogued;
         let plan = plan(&self, model)?;
-        if let Some(note) = plan.note.as_ref().filter(|_| !self.quiet) {
-            tell!("note: {note}");
+        if !self.quiet {
+            plan.notes.iter().for_each(|note| tell!("note: {note}"));
         }
         let files = self.out.as_deref().zip(self.plot.as_deref());
         if files.is_some_and(|(out, plot)| is_same(out, plot)) {
@@ -266,12 +266,12 @@ fn pace(plan: &Plan, statistics: &Statistics, elapsed: Duration) -> String {
     let Plan { steps, step, .. } = *plan;
     let end = notation::number(steps as f64 * step);
     let mut text = format!("{steps} steps of {step} to t = {end} in {elapsed:.1?}");
-    if let Some(iterations) = iterations(statistics) {
-        text = format!("{text}, {iterations}");
-    }
     if statistics.accepted > 0 {
         let (accepted, rejected) = (statistics.accepted, statistics.rejected);
         text = format!("{text}, {accepted} steps between of any length, {rejected} rejected");
+    }
+    if let Some(iterations) = iterations(statistics) {
+        text = format!("{text}, {iterations}");
     }
     let notable = [
         (
@@ -291,7 +291,12 @@ fn pace(plan: &Plan, statistics: &Statistics, elapsed: Duration) -> String {
     text
 }
 
+/// Of the steps of one length, or of those that a tolerance has chosen.
 fn iterations(statistics: &Statistics) -> Option<String> {
-    let per_step = statistics.iterations as f64 / statistics.steps.max(1) as f64;
-    (statistics.iterations > 0).then(|| format!("{per_step:.2} iterations per step"))
+    let (taken, which) = match statistics.accepted + statistics.rejected {
+        0 => (statistics.steps, "per step"),
+        tried => (tried, "each"),
+    };
+    let mean = statistics.iterations as f64 / taken.max(1) as f64;
+    (statistics.iterations > 0).then(|| format!("{mean:.2} iterations {which}"))
 }

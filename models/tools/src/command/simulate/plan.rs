@@ -5,7 +5,7 @@ mod scheme;
 use super::Simulate;
 use crate::failure::Failure;
 use crate::motion::Span;
-use residua::Catalogued;
+use residua::{Catalogued, Tolerance};
 use scheme::scheme;
 
 pub use scheme::{NEWTON, Scheme, Terms};
@@ -23,7 +23,7 @@ pub struct Plan {
     /// Number of steps.
     pub steps: u64,
     /// What the user should know before the run.
-    pub note: Option<String>,
+    pub notes: Vec<String>,
 }
 
 /// Checks the options against the model.
@@ -46,12 +46,19 @@ pub fn plan(options: &Simulate, model: &'static Catalogued) -> Result<Plan, Fail
         )));
     }
     let (parameters, start) = options.motion.values(model)?;
+    let below_rounding = options
+        .tolerance
+        .filter(|t| !is_newton && *t < Tolerance::LEAST);
+    let below_rounding = below_rounding.map(|tolerance| {
+        let least = Tolerance::LEAST;
+        format!("the tolerance {tolerance:e} is below rounding, and steps keep to {least:.1e} of each component")
+    });
     Ok(Plan {
         scheme: scheme(options, model)?,
         parameters,
         start,
         step,
         steps,
-        note,
+        notes: note.into_iter().chain(below_rounding).collect(),
     })
 }
