@@ -622,11 +622,13 @@ mod increment_core {
                 name: "Δr",
                 len: 1,
                 measure: ::core::option::Option::Some(2..3),
+                told: true,
             },
             ::residua::description::Unknown {
                 name: "ΔNext",
                 len: 1,
                 measure: ::core::option::Option::Some(3..4),
+                told: true,
             },
         ];
         const SOLVER: usize = 0;
@@ -958,16 +960,19 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
                     name: "Δx",
                     len: 2,
                     measure: ::core::option::Option::Some(0..2),
+                    told: true,
                 },
                 ::residua::description::Unknown {
                     name: "Δr",
                     len: 1,
                     measure: ::core::option::Option::Some(2..3),
+                    told: true,
                 },
                 ::residua::description::Unknown {
                     name: "ΔNext",
                     len: 1,
                     measure: ::core::option::Option::Some(3..4),
+                    told: true,
                 },
             ],
             equations: &[
@@ -1060,11 +1065,13 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
                             name: "Δr",
                             len: 1,
                             measure: ::core::option::Option::Some(2..3),
+                            told: true,
                         },
                         ::residua::description::Unknown {
                             name: "ΔNext",
                             len: 1,
                             measure: ::core::option::Option::Some(3..4),
+                            told: true,
                         },
                     ],
                     eliminated: &[
@@ -1072,6 +1079,7 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
                             name: "Δx",
                             len: 2,
                             measure: ::core::option::Option::Some(0..2),
+                            told: true,
                         },
                     ],
                     lines: &[22],

@@ -460,6 +460,7 @@ mod next_core {
                 name: "ω[k+1]",
                 len: 1,
                 measure: ::core::option::Option::Some(0..1),
+                told: true,
             },
         ];
         const SOLVER: usize = 0;
@@ -863,6 +864,7 @@ mod increment_core {
                 name: "Δω",
                 len: 1,
                 measure: ::core::option::Option::Some(0..1),
+                told: true,
             },
         ];
         const SOLVER: usize = 1;
@@ -1142,11 +1144,13 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
                     name: "ω[k+1]",
                     len: 1,
                     measure: ::core::option::Option::Some(0..1),
+                    told: true,
                 },
                 ::residua::description::Unknown {
                     name: "Γ[k+1]",
                     len: 2,
                     measure: ::core::option::Option::Some(1..3),
+                    told: true,
                 },
             ],
             equations: &[
@@ -1225,6 +1229,7 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
                             name: "ω[k+1]",
                             len: 1,
                             measure: ::core::option::Option::Some(0..1),
+                            told: true,
                         },
                     ],
                     eliminated: &[
@@ -1232,6 +1237,7 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
                             name: "Γ[k+1]",
                             len: 2,
                             measure: ::core::option::Option::Some(1..3),
+                            told: true,
                         },
                     ],
                     lines: &[27],
@@ -1320,11 +1326,13 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
                     name: "Δω",
                     len: 1,
                     measure: ::core::option::Option::Some(0..1),
+                    told: true,
                 },
                 ::residua::description::Unknown {
                     name: "ΔΓ",
                     len: 2,
                     measure: ::core::option::Option::Some(1..3),
+                    told: true,
                 },
             ],
             equations: &[
@@ -1412,6 +1420,7 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
                             name: "Δω",
                             len: 1,
                             measure: ::core::option::Option::Some(0..1),
+                            told: true,
                         },
                     ],
                     eliminated: &[
@@ -1419,6 +1428,7 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
                             name: "ΔΓ",
                             len: 2,
                             measure: ::core::option::Option::Some(1..3),
+                            told: true,
                         },
                     ],
                     lines: &[27],

@@ -476,6 +476,7 @@ mod increment_core {
                 name: "Δω",
                 len: 1,
                 measure: ::core::option::Option::Some(0..1),
+                told: true,
             },
         ];
         const SOLVER: usize = 0;
@@ -726,11 +727,13 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
                     name: "Δω",
                     len: 1,
                     measure: ::core::option::Option::Some(0..1),
+                    told: true,
                 },
                 ::residua::description::Unknown {
                     name: "ΔΓ",
                     len: 2,
                     measure: ::core::option::Option::Some(1..3),
+                    told: true,
                 },
             ],
             equations: &[
@@ -818,6 +821,7 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
                             name: "Δω",
                             len: 1,
                             measure: ::core::option::Option::Some(0..1),
+                            told: true,
                         },
                     ],
                     eliminated: &[
@@ -825,6 +829,7 @@ pub const DESCRIPTION: &::residua::Description = &::residua::Description {
                             name: "ΔΓ",
                             len: 2,
                             measure: ::core::option::Option::Some(1..3),
+                            told: true,
                         },
                     ],
                     lines: &[27],
