@@ -84,6 +84,7 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
         }
         let (x, report) = self.solve_thoroughly(scene, step, known, guess, statistics)?;
         self.shifts.push(&x, &guess);
+        self.shifts.set_out();
         Ok((x, report))
     }
 
@@ -113,7 +114,7 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
         if guess.as_ref().is_empty() {
             return Some((guess, guess));
         }
-        let mut x = self.shifts.ahead(guess);
+        let mut x = self.shifts.ahead_in_run(guess);
         let first = self.correction(scene, step, &x, statistics)?;
         subtract(&mut x, &first);
         if self.is_usual(&first) && self.is_enough(&first) {

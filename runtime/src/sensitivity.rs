@@ -74,6 +74,9 @@ pub(crate) fn amplification<S: System<T>, T: Real>(
     most
 }
 
+/// Below any number that matters, and no denormal in `f32`.
+const NOTHING: f64 = 1e-37;
+
 /// How large a state may become before the amplification is looked at again: [`REACH`] times what each variable is, or was
 /// before. What follows from the unknowns usually grows with them.
 pub(crate) fn reach<S: System<T>, T: Real>(
@@ -85,7 +88,8 @@ pub(crate) fn reach<S: System<T>, T: Real>(
     for variable in S::Model::DESCRIPTION.states {
         let own = offset..offset + variable.rows * variable.cols;
         offset = own.end;
-        let most = T::constant(REACH) * largest_of(state.as_ref(), &own);
+        // What is 0 throughout is within it.
+        let most = T::constant(REACH) * largest_of(state.as_ref(), &own) + T::constant(NOTHING);
         let own = reach.as_mut().iter_mut().take(own.end).skip(own.start);
         own.for_each(|reach| *reach = larger(*reach, most));
     }

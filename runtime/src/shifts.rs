@@ -32,6 +32,8 @@ pub(crate) struct Shifts<X> {
     /// Steps seen, at most as many as are kept.
     seen: usize,
     order: usize,
+    /// What all but the last one add to the next prediction of the order.
+    rest: X,
 }
 
 impl<X: Copy> Shifts<X> {
@@ -42,6 +44,7 @@ impl<X: Copy> Shifts<X> {
             last: 0,
             seen: 0,
             order: 0,
+            rest: zeros,
         }
     }
 
@@ -80,22 +83,61 @@ impl<X: Copy> Shifts<X> {
         self.ahead_by(guess, self.order.min(SHORT))
     }
 
-    /// The last miss comes last into the sum, so that all others are summed while it is still being computed; weights
-    /// beyond the order are 0, so that there is nothing to branch on.
-    #[inline]
     fn ahead_by<T: Scalar>(&self, mut guess: X, order: usize) -> X
     where
         X: AsRef<[T]> + AsMut<[T]>,
     {
-        let weights = WEIGHTS[order.min(HIGHEST)].map(T::constant);
-        for (i, x) in guess.as_mut().iter_mut().enumerate() {
-            let mut shift = weights[HIGHEST - 1] * self.ago(HIGHEST).as_ref()[i];
-            for j in (1..HIGHEST).rev() {
-                shift = shift + weights[j - 1] * self.ago(j).as_ref()[i];
-            }
-            *x = *x + shift;
+        let rest = self.all_but_last(order, 1);
+        let last = self.ago(1).as_ref();
+        let weight = T::constant(WEIGHTS[order.min(HIGHEST)][0]);
+        let terms = rest.as_ref().iter().zip(last);
+        for (x, (rest, last)) in guess.as_mut().iter_mut().zip(terms) {
+            *x = *x + (*rest + weight * *last);
         }
         guess
+    }
+
+    /// The same as [`Shifts::ahead`] in a run of steps, where all but the last miss were summed up in the step before: while
+    /// that was being solved there was nothing else to do.
+    #[inline]
+    pub(crate) fn ahead_in_run<T: Scalar>(&mut self, mut guess: X) -> X
+    where
+        X: AsRef<[T]> + AsMut<[T]>,
+    {
+        let last = self.ago(1).as_ref();
+        let weight = T::constant(WEIGHTS[self.order.min(HIGHEST)][0]);
+        let terms = self.rest.as_ref().iter().zip(last);
+        for (x, (rest, last)) in guess.as_mut().iter_mut().zip(terms) {
+            *x = *x + (*rest + weight * *last);
+        }
+        self.rest = self.all_but_last(self.order, 0);
+        guess
+    }
+
+    /// Makes ready for a run of steps.
+    pub(crate) fn set_out<T: Scalar>(&mut self)
+    where
+        X: AsRef<[T]> + AsMut<[T]>,
+    {
+        self.rest = self.all_but_last(self.order, 1);
+    }
+
+    /// Σ (−1)ʲ⁺¹ (p over j) s over j = 2, …, p, where s is the miss of j − 1 + `since` steps ago. Weights beyond the order are 0, so
+    /// that there is nothing to branch on.
+    #[inline]
+    fn all_but_last<T: Scalar>(&self, order: usize, since: usize) -> X
+    where
+        X: AsRef<[T]> + AsMut<[T]>,
+    {
+        let weights = WEIGHTS[order.min(HIGHEST)].map(T::constant);
+        let mut sum = self.rest;
+        for (i, sum) in sum.as_mut().iter_mut().enumerate() {
+            *sum = weights[HIGHEST - 1] * self.ago(HIGHEST - 1 + since).as_ref()[i];
+            for j in (2..HIGHEST).rev() {
+                *sum = *sum + weights[j - 1] * self.ago(j - 1 + since).as_ref()[i];
+            }
+        }
+        sum
     }
 
     /// Takes in the solution of a step and the guess it began with.

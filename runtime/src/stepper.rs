@@ -19,7 +19,6 @@ use crate::report::History;
 use crate::report::Report;
 use crate::report::Statistics;
 use crate::scalar::Real;
-use crate::scalar::all_finite;
 use crate::sensitivity::Amplification;
 use crate::sensitivity::amplification;
 use crate::sensitivity::follows;
@@ -46,7 +45,7 @@ pub struct Implicit<S: Solvable<T>, T: Real> {
 struct Solver<S: Correctable<T>, T: Real> {
     /// Some of the state follows from unknowns that are not its own.
     follows: bool,
-    /// States up to here are known from the unknowns, as they were where that was looked at.
+    /// States below that are known from the unknowns, as they were where that was looked at; infinite where nothing needs to be.
     reach: StateArray<S, T>,
     scene: S::Scene,
     newton: Newton<S, T>,
@@ -64,9 +63,11 @@ impl<S: Solvable<T>, T: Real> Stepper<S, T> {
 impl<S: Correctable<T>, T: Real> Solver<S, T> {
     fn new(parameters: &<S::Model as Model<T>>::Parameters, h: T) -> Self {
         let mut reach = S::Model::start(parameters).to_array();
-        reach.as_mut().fill(T::constant(0.0));
+        let follows = follows::<S, T>();
+        let nothing = if follows { 0.0 } else { f64::INFINITY };
+        reach.as_mut().fill(T::constant(nothing));
         Self {
-            follows: follows::<S, T>(),
+            follows,
             reach,
             scene: S::scene(parameters, h),
             newton: Newton::new(Settings::default()),
@@ -166,8 +167,7 @@ impl<S: Correctable<T>, T: Real> Solver<S, T> {
                 break;
             };
             let (next, lost_then) = self.after(&step, &here, &x, &lost_here);
-            let is_sound = is_trusted::<S, T>(&self.scene, &step, &x) & all_finite(next.as_ref());
-            if !(is_sound & self.is_within_reach(&next)) {
+            if !(is_trusted::<S, T>(&self.scene, &step, &x) & self.is_within_reach(&next)) {
                 break;
             }
             (here, lost_here) = (next, lost_then);
@@ -179,11 +179,11 @@ impl<S: Correctable<T>, T: Real> Solver<S, T> {
         taken
     }
 
-    /// Whether such states were known from the unknowns. False for NaN.
+    /// Whether the state is finite, and such states were known from the unknowns.
     #[inline]
     fn is_within_reach(&self, state: &StateArray<S, T>) -> bool {
         let pairs = state.as_ref().iter().zip(self.reach.as_ref());
-        !self.follows || pairs.fold(true, |all, (x, reach)| all & (x.abs() <= *reach))
+        pairs.fold(true, |all, (x, reach)| all & (x.abs() < *reach))
     }
 
     /// The state after the step, and what its sums have lost to rounding.
