@@ -8,6 +8,7 @@ use crate::scalar::Real;
 use crate::scalar::Scalar;
 use crate::scalar::larger;
 use crate::scalar::largest_of;
+use crate::settings::NOTHING;
 use crate::settings::REACH;
 
 /// Relative size of the moves that sensitivity is measured by: half of the digits.
@@ -73,9 +74,6 @@ pub(crate) fn amplification<S: System<T>, T: Real>(
     most.times = most.times / relative_move::<T>();
     most
 }
-
-/// Below any number that matters, and no denormal in `f32`.
-const NOTHING: f64 = 1e-37;
 
 /// How large a state may become before the amplification is looked at again: [`REACH`] times what each variable is, or was
 /// before. What follows from the unknowns usually grows with them.

@@ -109,6 +109,9 @@ pub(crate) const LEFTOVER: f64 = 1.0 / 1024.0;
 /// refused; smaller looks more often while a motion sets out.
 pub(crate) const REACH: f64 = 4.0;
 
+/// Below any number that matters, and no denormal in `f32`.
+pub(crate) const NOTHING: f64 = 1e-37;
+
 /// Steps after which convergence is measured again: twice as many would save a hundredth of a step, half as many cost two.
 pub(crate) const TRUSTED_STEPS: u32 = 63;
 

@@ -241,6 +241,21 @@ mod tests {
     }
 
     #[test]
+    fn in_a_run_the_same_is_expected() {
+        let mut shifts = Shifts::new([0.0]);
+        for n in 0..KEPT {
+            shifts.push(&[f64::sin(0.3 * n as f64)], &[0.0]);
+        }
+        shifts.choose_order(&[1.0]);
+        shifts.set_out();
+        for n in KEPT..2 * KEPT {
+            let alone = shifts.ahead([3.0]);
+            assert_eq!(shifts.ahead_in_run([3.0]), alone);
+            shifts.push(&[f64::sin(0.3 * n as f64)], &[0.0]);
+        }
+    }
+
+    #[test]
     fn the_order_fits_the_motion() {
         let order = |motion: &dyn Fn(f64) -> f64| {
             let mut shifts = Shifts::new([0.0]);

@@ -37,6 +37,7 @@ const THOROUGH: &str = "runtime/src/newton/thorough.rs";
 const NEWTON: &str = "runtime/src/newton.rs";
 const RATE: &str = "runtime/src/newton/rate.rs";
 const STEPPER: &str = "runtime/src/stepper.rs";
+const SHIFTS: &str = "runtime/src/shifts.rs";
 const CONTEXT: &str = "codegen/src/lower/context.rs";
 
 /// All of them.
@@ -72,11 +73,11 @@ pub const ALL: &[Mutation] = &[
     // The normal form.
     mutation("a − b subtracts", NORMAL, "(-BigRational::one(), b)])", "(BigRational::one(), b)])"),
     mutation("−a is −1 a", NORMAL, "self.scale(-BigRational::one(), a)", "self.scale(BigRational::one(), a)"),
-    mutation("a multiple of a number is a number", NORMAL, "let value = value * coefficient;", "let value = value + coefficient;"),
+    mutation("a multiple of a number is a number", NORMAL, "let value = times(value, coefficient);", "let value = value + coefficient;"),
     mutation("a multiple of a multiple multiplies", NORMAL, "let coefficient = times(&coefficient, inner);\n        if coefficient.is_zero()", "if coefficient.is_zero()"),
     mutation("a/b divides", NORMAL, "self.product([(a, 1), (b, -1)])", "self.product([(a, 1), (b, 1)])"),
     mutation("a sum in a sum is merged with its coefficient", NORMAL, "(times(&outer, inner), core)", "(inner, core)"),
-    mutation("equal terms are added up", NORMAL, "Some(last) if last.1 == id => last.0 += coefficient", "Some(last) if last.1 == id => last.0 -= coefficient"),
+    mutation("equal terms are added up", NORMAL, "Some(last) if last.1 == id => last.0 = shortened(&last.0 + coefficient)", "Some(last) if last.1 == id => last.0 -= coefficient"),
     mutation("a multiple of a sum is multiplied out", NORMAL, ".map(|(c, n)| (times(c, coefficient.clone()), *n))", ".map(|(c, n)| (c.clone(), *n))"),
     mutation("the content −1 turns signs", NORMAL, "terms.into_iter().map(|(c, n)| (-c, n)).collect()", "terms"),
     mutation("terms are divided by their content", NORMAL, "BigRational::from_integer(above * (content.denom() / c.denom()))", "BigRational::from_integer(above)"),
@@ -127,6 +128,8 @@ pub const ALL: &[Mutation] = &[
     mutation("a failed step leaves the state", STEPPER, "        require_finite(&next)?;\n        check(", "        (*state, *lost) = (next, lost_then);\n        require_finite(&next)?;\n        check("),
     mutation("what is eliminated must be known", STEPPER, "if !is_trusted::<S, T>(scene, &step, &x) {", "if false {"),
     mutation("what follows from the unknowns must be known", STEPPER, "if times > most_growth::<T>() {", "if false {"),
+    mutation("a state that has grown is looked at again", STEPPER, "all & (x.abs() < *reach)", "all & (*reach >= T::constant(0.0)) & x.is_finite()"),
+    mutation("starts of a run of steps are those of each step", SHIFTS, "self.rest = self.all_but_last(self.order, 0);", "self.rest = self.all_but_last(self.order, 1);"),
     mutation("what is eliminated must fulfil all equations", STEPPER, "            if S::HAS_CORE {\n                full.check(t, state, next)", "            if false {\n                full.check(t, state, next)"),
     mutation("sums of increments remember their rounding", STEPPER, "return compensated_sums(state, &change, lost);", "return (compensated_sums(state, &change, lost).0, *lost);"),
     mutation("without `update` the state becomes x[k+1]", CONTEXT, "None => next.extend(self.at_level(i, Level::Next).entries)", "None => next.extend(self.at_level(i, Level::Half).entries)"),

@@ -11,6 +11,7 @@ use pulp::Arch;
 
 use super::Fleet;
 use super::Outcome;
+use super::judge;
 use super::kernel::Alone;
 use super::kernel::Departure;
 use super::kernel::Kernel;
@@ -27,11 +28,14 @@ use crate::erased::Sample;
 use crate::error::RunError;
 use crate::report::Statistics;
 use crate::settings::Strategy;
-use crate::settings::TRUSTED_STEPS;
 
 /// Steps that a trajectory takes alone after one that it could not take with its group. Each time twice as many as
 /// before: more keeps it from disturbing the group, fewer gets it back to its speed.
 const FIRST_ABSENCE: u64 = 32;
+
+/// Steps after which convergence is measured again. All of a group wait for that, so more of them than of one trajectory: with
+/// 63, groups would be a sixth slower.
+const QUIET_STEPS: u64 = 255;
 
 /// The limit of a trajectory that is to be corrected more than once.
 const NEVER: f64 = -1.0;
@@ -66,7 +70,7 @@ pub(super) struct Group<'a> {
     harmless: Vec<Row>,
     /// Some of the state follows from unknowns that are not its own.
     follows: bool,
-    /// States up to here are known from the unknowns, as they were where that was looked at.
+    /// States below that are known from the unknowns, as they were where that was looked at; infinite where nothing needs to be.
     reach: Vec<Row>,
     /// The step at which convergence is measured anew.
     due: [u64; WIDTH],
@@ -118,7 +122,7 @@ impl<'a> Group<'a> {
             enough: vec![all(NEVER); sizes.unknowns],
             harmless: rows(sizes.unknowns),
             follows: kernel.follows(),
-            reach: rows(sizes.state),
+            reach: vec![all(f64::INFINITY); sizes.state],
             due: [0; WIDTH],
             quiet_until: 0,
             start: rows(sizes.unknowns),
@@ -199,16 +203,16 @@ impl<'a> Group<'a> {
         self.idle[lane] = 0.0;
         self.together += 1;
         self.iterations[lane] -= self.rounds as i64;
-        let quiet = if self.is_explicit() {
-            u64::from(TRUSTED_STEPS)
-        } else {
-            0
-        };
+        let quiet = if self.is_explicit() { QUIET_STEPS } else { 0 };
         (self.due[lane], self.quiet_until) = (self.step + quiet, self.step);
         for row in &mut self.lost[0] {
             row[lane] = 0.0;
         }
         self.shifts.forget(lane);
+        if self.follows {
+            self.reach.iter_mut().for_each(|row| row[lane] = 0.0);
+            judge::widen(self.kernel.states(), &self.state, lane, &mut self.reach);
+        }
     }
 
     fn advance(&mut self) {
@@ -242,6 +246,7 @@ impl<'a> Group<'a> {
             shift: &self.start,
             enough: &self.enough,
             harmless: &self.harmless,
+            reach: &self.reach,
             idle: &self.idle,
         };
         let landing = Landing {
@@ -258,9 +263,6 @@ impl<'a> Group<'a> {
         if !done {
             self.correct_again();
         }
-        if self.follows {
-            self.watch();
-        }
         if !is_quiet {
             self.settle();
         }
@@ -268,20 +270,6 @@ impl<'a> Group<'a> {
             self.lost.swap(0, 1);
         }
         self.shifts.push();
-    }
-
-    /// Notices who has grown beyond where the state was known from the unknowns.
-    #[inline]
-    fn watch(&mut self) {
-        let mut grown = [false; WIDTH];
-        for (next, reach) in self.next.iter().zip(&self.reach) {
-            for lane in 0..WIDTH {
-                grown[lane] |= (next[lane].abs() > reach[lane]) & (self.idle[lane] == 0.0);
-            }
-        }
-        if grown != [false; WIDTH] {
-            self.look(&grown);
-        }
     }
 
     /// Lets a trajectory go on alone from the state before the step.

@@ -8,9 +8,12 @@ use super::rows::Row;
 use super::rows::WIDTH;
 use super::rows::all;
 use crate::description::Unknown;
+use crate::description::Variable;
 use crate::newton::rate::most_enough;
 use crate::settings::AT_ROUNDING;
 use crate::settings::LEFTOVER;
+use crate::settings::NOTHING;
+use crate::settings::REACH;
 
 /// What one correction says.
 pub(crate) struct Progress {
@@ -99,6 +102,20 @@ pub(crate) fn limits(
         limits.resize(offset + block.len, limit);
     }
     limits
+}
+
+/// Raises what the states of a trajectory are to be below, see [`reach`](crate::sensitivity::reach).
+pub(crate) fn widen(variables: &[Variable], state: &[Row], lane: usize, reach: &mut [Row]) {
+    let mut offset = 0;
+    for variable in variables {
+        let own = offset..offset + variable.rows * variable.cols;
+        offset = own.end;
+        let values = state[own.clone()].iter();
+        let most = values.fold(0.0, |most, row| f64::max(most, row[lane].abs()));
+        for row in &mut reach[own] {
+            row[lane] = f64::max(row[lane], REACH * most + NOTHING);
+        }
+    }
 }
 
 fn scale(block: &Unknown, state: &[Row], x: &[Row]) -> Row {

@@ -80,6 +80,8 @@ pub(crate) struct Start<'a> {
     pub(crate) enough: &'a [Row],
     /// and those up to here are so even if the one before was much smaller.
     pub(crate) harmless: &'a [Row],
+    /// States below that are known from the unknowns.
+    pub(crate) reach: &'a [Row],
     /// 1 for lanes that nobody looks at, 0 for others.
     pub(crate) idle: &'a Row,
 }
@@ -96,7 +98,7 @@ pub(crate) struct Landing<'a> {
     pub(crate) next: &'a mut [Row],
     /// What the sums of increments have lost then.
     pub(crate) lost: &'a mut [Row],
-    /// 1 where all is finite and not magnified from rounding, else 0.
+    /// 1 where all is finite, known and not magnified from rounding, else 0.
     pub(crate) sound: &'a mut Row,
     /// 1 where that is so and the correction is enough, else 0.
     pub(crate) within: &'a mut Row,
@@ -264,6 +266,7 @@ impl<C: System<Lanes<N>>, const N: usize> NullaryFnOnce for Correct<'_, C, N> {
             from.shift,
             from.enough,
             from.harmless,
+            from.reach,
             from.idle,
             to.shift,
             to.x,
@@ -290,6 +293,7 @@ fn correct<C: System<Lanes<N>>, const N: usize>(
     shifts: &[Row],
     enough: &[Row],
     harmless: &[Row],
+    reach: &[Row],
     idle: &Row,
     shift: &mut [Row],
     x: &mut [Row],
@@ -308,7 +312,7 @@ fn correct<C: System<Lanes<N>>, const N: usize>(
     let (shifts, enough, harmless) = (&shifts[..n], &enough[..n], &harmless[..n]);
     let (shift, x, correction) = (&mut shift[..n], &mut x[..n], &mut correction[..n]);
     let n = states.as_ref().len();
-    let (state, losses) = (&state[..n], &losses[..n]);
+    let (state, losses, reach) = (&state[..n], &losses[..n], &reach[..n]);
     let (next, lost) = (&mut next[..n], &mut lost[..n]);
     let scene = &scene[..C::Scene::LEN];
     let mut open = 0;
@@ -352,18 +356,20 @@ fn correct<C: System<Lanes<N>>, const N: usize>(
         } else {
             after = C::next(&scene, &step, &at);
         }
-        let mut total = Lanes::constant(0.0);
-        for (next, after) in next.iter_mut().zip(after.as_ref()) {
-            set_lanes(next, i, *after);
-            total = total + *after;
+        let mut is_known = [true; N];
+        for (j, next) in next.iter_mut().enumerate() {
+            let (after, reach) = (after.as_ref()[j], lanes::<N>(&reach[j], i));
+            set_lanes(next, i, after);
+            for (k, is_known) in is_known.iter_mut().enumerate() {
+                // False for NaN and infinity.
+                *is_known &= after.0[k].abs() < reach.0[k];
+            }
         }
         let idle = lanes::<N>(idle, i);
         for (k, is_within) in is_within.into_iter().enumerate() {
             let at = i + k * (WIDTH / N);
-            // Any NaN or infinity is one in the sum.
-            let is_sound = (growth.0[k] <= MOST_GROWTH)
-                & (eliminated.0[k] <= MOST_GROWTH)
-                & (total.0[k].abs() < f64::INFINITY);
+            let is_sound =
+                (growth.0[k] <= MOST_GROWTH) & (eliminated.0[k] <= MOST_GROWTH) & is_known[k];
             let is_enough = is_sound & is_within;
             sound[at] = if is_sound { 1.0 } else { 0.0 };
             within[at] = if is_enough { 1.0 } else { 0.0 };

@@ -141,13 +141,14 @@ impl NullaryFnOnce for Ahead<'_> {
 
     #[inline(always)]
     fn call(self) {
+        let weights = &self.shifts.weights;
         for (u, start) in self.start.iter_mut().enumerate() {
+            let shifts: [&Row; HIGHEST] = core::array::from_fn(|j| &self.shifts.ago(j + 1)[u]);
             let mut sum = all(0.0);
-            // The order of summation does not depend on that of others: beyond its own, a trajectory adds zeros.
-            for j in (1..=self.shifts.highest).rev() {
-                let (weights, shift) = (&self.shifts.weights[j - 1], &self.shifts.ago(j)[u]);
-                for i in 0..WIDTH {
-                    sum[i] += weights[i] * shift[i];
+            // Whatever the orders of others: beyond its own, a trajectory adds zeros.
+            for i in 0..WIDTH {
+                for j in (0..HIGHEST).rev() {
+                    sum[i] += weights[j][i] * shifts[j][i];
                 }
             }
             *start = sum;

@@ -4,6 +4,7 @@ use crate::Failure;
 use crate::Place;
 use crate::Report;
 use crate::Settings;
+use crate::Statistics;
 use crate::StepError;
 use crate::Stepper;
 use crate::description::Unknown;
@@ -11,6 +12,7 @@ use crate::specimens::root::Evaluated;
 use crate::specimens::root::Flat;
 use crate::specimens::root::Problem;
 use crate::specimens::root::Root;
+use crate::stepper::Solver;
 
 /// x = 2, whatever the step before.
 fn two(x: [f64; 1]) -> Evaluated<1> {
@@ -90,6 +92,29 @@ fn a_state_that_is_a_difference_of_large_unknowns_is_not_known() {
         (Failure::Undetermined, Place::State(0))
     );
     assert!((1e9..4e9).contains(&fault.value), "{}", fault.value);
+}
+
+/// An unknown that is not the state, but tells it.
+struct Told;
+impl Problem<1> for Told {
+    const UNKNOWNS: &'static [Unknown] = Difference::UNKNOWNS;
+    fn evaluate(x: [f64; 1]) -> Evaluated<1> {
+        two(x)
+    }
+}
+
+#[test]
+fn a_state_that_has_grown_is_looked_at_again() {
+    let mut solver = Solver::<Root<Told, 1>, f64>::new(&Flat([]), 1.0);
+    assert!(!solver.is_within_reach(&[1e-9]));
+    let (mut state, mut statistics) = ([0.0], Statistics::default());
+    let step = solver.advance(0.0, &mut state, &mut [0.0], &mut statistics, |_, _| Ok(()));
+    assert!(step.is_ok() && state == [2.0]);
+    assert!(solver.is_within_reach(&[-7.9]) && !solver.is_within_reach(&[8.1]));
+    assert!(!solver.is_within_reach(&[f64::NAN]));
+    // What is its own unknown needs to be finite only.
+    let solver = Solver::<Root<Divided, 1>, f64>::new(&Flat([]), 1.0);
+    assert!(solver.is_within_reach(&[1e300]) && !solver.is_within_reach(&[f64::INFINITY]));
 }
 
 /// A core that solves its own equation and misses those of the system.

@@ -194,5 +194,6 @@ fn draw_entry<'a>(
         color.stroke_width(2 * SCALE as u32),
     ))?;
     let middle = Pos::new(HPos::Left, VPos::Center);
-    write(area, label, (right + 6, y), font(12.0, INK).pos(middle))
+    let name = fitted(label, NAME);
+    write(area, &name, (right + 6, y), font(12.0, INK).pos(middle))
 }

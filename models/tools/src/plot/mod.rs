@@ -333,7 +333,19 @@ fn draw_name<'a>(
     ))?;
     let middle = Pos::new(HPos::Left, VPos::Center);
     let text = font(12.0, INK).pos(middle);
-    write(area, &curve.label, (right + 6, y), text)
+    write(area, &fitted(&curve.label, RIGHT.1), (right + 6, y), text)
+}
+
+/// The name as long as fits behind its line into so many px, with `…` for its middle: components differ at the end.
+fn fitted(name: &str, space: i32) -> String {
+    let most = ((space - SWATCH) / LETTER) as usize;
+    let letters: Vec<char> = name.chars().collect();
+    if letters.len() <= most {
+        return name.to_owned();
+    }
+    let (head, tail) = (most / 2, most - most / 2 - 1);
+    let parts = [&letters[..head], &['…'], &letters[letters.len() - tail..]];
+    parts.concat().iter().collect()
 }
 
 fn write<'a>(area: &Area<'a>, text: &str, (x, y): (i32, i32), style: TextStyle<'_>) -> Drawn<'a> {
@@ -352,4 +364,17 @@ fn bold(size: f64, color: RGBColor) -> TextStyle<'static> {
 /// The factor undoes the conversion of plotters' SVG backend.
 fn typeface(size: f64) -> FontDesc<'static> {
     (FONTS, size * 1.24 * f64::from(SCALE)).into_font()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{LETTER, SWATCH, fitted};
+
+    #[test]
+    fn long_names_lose_their_middle() {
+        let space = SWATCH + 9 * LETTER;
+        assert_eq!(fitted("momentum", space), "momentum");
+        assert_eq!(fitted("momenta(1)", space), "mome…a(1)");
+        assert_eq!(fitted("Überlänge(12)", space), "Über…(12)");
+    }
 }

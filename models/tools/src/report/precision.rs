@@ -1,4 +1,4 @@
-//! Time against error: short work–precision diagrams of a motion in the plane and one in space.
+//! Time against error: short work–precision diagrams of a motion in the plane, one in space and a stiff one.
 
 use super::page::Block;
 use super::page::Cell;
@@ -22,10 +22,12 @@ use crate::precision::picture;
 use crate::precision::verdicts;
 use indicatif::ProgressBar;
 
-/// Motions and the models that take them here, one scheme of the paper among them.
-const MOTIONS: [(&str, &[&str]); 2] = [
+/// Motions and the models that take them here, one scheme of the paper among them, but for the last: a spring so stiff that
+/// explicit schemes crawl where implicit ones stride.
+const MOTIONS: [(&str, &[&str]); 3] = [
     ("planar-large", &["planar_angle", "planar_reduced"]),
     ("spatial-asymmetric", &["spatial_reduced", "spatial_cardan"]),
+    ("elastic_stiff", &["elastic"]),
 ];
 
 /// Ends of the motions, s.

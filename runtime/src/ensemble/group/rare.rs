@@ -3,6 +3,7 @@
 use super::FIRST_ABSENCE;
 use super::Group;
 use super::NEVER;
+use super::QUIET_STEPS;
 use crate::ensemble::judge;
 use crate::ensemble::kernel::Landing;
 use crate::ensemble::kernel::Start;
@@ -17,8 +18,6 @@ use crate::newton::rate::is_telling;
 use crate::newton::rate::most_harmless;
 use crate::settings::MOST_GROWTH;
 use crate::settings::MOST_QUICK;
-use crate::settings::REACH;
-use crate::settings::TRUSTED_STEPS;
 
 impl Group<'_> {
     /// Who is to find out now what is enough.
@@ -60,6 +59,8 @@ impl Group<'_> {
         let tolerance = self.fleet.settings.tolerance;
         let n = self.start.len();
         let mut open: Mask = core::array::from_fn(|i| self.idle[i] == 0.0 && self.within[i] == 0.0);
+        self.look_at_grown(&open);
+        (0..WIDTH).for_each(|i| open[i] &= self.idle[i] == 0.0);
         let mut before = judge::progress(blocks, &self.state, &self.x, &self.correction, tolerance);
         let first = self.correction.clone();
         let (mut shift, mut next, mut lost) = (zeros(n), self.next.clone(), self.lost[1].clone());
@@ -74,6 +75,7 @@ impl Group<'_> {
                 shift: &self.start,
                 enough: &self.enough,
                 harmless: &self.harmless,
+                reach: &self.reach,
                 idle: &self.idle,
             };
             let landing = Landing {
@@ -131,25 +133,20 @@ impl Group<'_> {
         self.depart(lane, self.step.saturating_add(absence));
     }
 
-    /// Looks again at those whose states have grown since it was known that unknowns tell them.
-    #[cold]
-    pub(super) fn look(&mut self, grown: &Mask) {
-        for lane in (0..WIDTH).filter(|lane| grown[*lane]) {
-            if self.is_explicit() {
-                self.depart(lane, self.step + 1);
-            } else if !self.is_known(lane, &self.x) {
-                self.give_up(lane);
+    /// Looks again at those whose states have grown beyond where they were known to be told by the unknowns, and lets go whose are
+    /// not.
+    fn look_at_grown(&mut self, open: &Mask) {
+        for lane in (0..WIDTH).filter(|lane| open[*lane]) {
+            let mut pairs = self.next.iter().zip(&self.reach);
+            if !pairs.any(|(next, reach)| next[lane].abs() >= reach[lane]) {
                 continue;
             }
-            let mut offset = 0;
-            for variable in self.kernel.states() {
-                let own = offset..offset + variable.rows * variable.cols;
-                offset = own.end;
-                let next = self.next[own.clone()].iter();
-                let most = next.fold(0.0, |most, row| f64::max(most, row[lane].abs()));
-                for reach in &mut self.reach[own] {
-                    reach[lane] = f64::max(reach[lane], REACH * most);
-                }
+            if self.is_explicit() {
+                self.depart(lane, self.step + 1);
+            } else if self.is_known(lane, &self.x) {
+                judge::widen(self.kernel.states(), &self.next, lane, &mut self.reach);
+            } else {
+                self.give_up(lane);
             }
         }
     }
@@ -171,7 +168,7 @@ impl Group<'_> {
         for lane in (0..WIDTH).filter(|lane| open[*lane]) {
             let is_due = self.is_due(lane);
             if is_due && self.shifts.are_many(lane) {
-                self.due[lane] = self.step + 1 + u64::from(TRUSTED_STEPS);
+                self.due[lane] = self.step + 1 + QUIET_STEPS;
             }
             for (harmless, scale) in self.harmless.iter_mut().zip(scales) {
                 harmless[lane] = most_harmless::<f64>() * scale[lane];
