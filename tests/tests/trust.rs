@@ -66,7 +66,7 @@ fn fly(case: &Case, h: f64, steps: u64, observer: &(dyn Fn(Sample) + Sync)) -> O
         observer: &|_, sample| observer(sample),
     };
     let outcomes = solver(case.model, "increment").fly(&fleet).expect("a run");
-    outcomes[0].clone()
+    outcomes[0]
 }
 
 /// The states of a run, and the one after each step that corrections judged one by one lead to.
