@@ -41,8 +41,10 @@ pub(crate) struct Newton<S: Correctable<T>, T: Real> {
     history: History,
     /// Where earlier solutions lay from their guesses.
     shifts: Shifts<S::Unknowns>,
-    /// Corrections up to here, unknown by unknown, leave less than rounding.
+    /// Corrections up to here, unknown by unknown, leave less than rounding,
     enough: S::Unknowns,
+    /// if they are also no more than that part of the scale: it may have become smaller.
+    part: S::Unknowns,
     /// Those up to here leave little, whatever the equations have become.
     harmless: S::Unknowns,
     /// Steps until these are found out anew.
@@ -63,6 +65,7 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
             history: History::default(),
             shifts: Shifts::new(zeros),
             enough: zeros,
+            part: zeros,
             harmless: zeros,
             trust: 0,
             first: zeros,
@@ -117,7 +120,7 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
         let mut x = self.shifts.ahead_in_run(guess);
         let first = self.correction(scene, step, &x, statistics)?;
         subtract(&mut x, &first);
-        if self.is_usual(&first) && self.is_enough(&first) {
+        if self.is_usual(&first) && self.is_enough(known, &x, &first) {
             self.first = first;
             return Some((x, guess));
         }
@@ -125,7 +128,9 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
         for _ in 1..self.settings.max_iterations.min(MOST_QUICK) {
             let correction = self.correction(scene, step, &x, statistics)?;
             subtract(&mut x, &correction);
-            if self.is_enough(&correction) && self.is_settled(known, &x, &before, &correction) {
+            if self.is_enough(known, &x, &correction)
+                && self.is_settled(known, &x, &before, &correction)
+            {
                 self.first = first;
                 return Some((x, guess));
             }
@@ -195,12 +200,18 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
         is_settled(last, before, self.settings.tolerance)
     }
 
-    /// False for NaN.
+    /// Whether a correction of `x` to here is the last one. False for NaN.
     #[inline]
-    fn is_enough(&self, correction: &S::Unknowns) -> bool {
-        let pairs = correction.as_ref().iter().zip(self.enough.as_ref());
+    fn is_enough(&self, known: &[T], x: &S::Unknowns, correction: &S::Unknowns) -> bool {
+        let scales = scales::<S, T>(known, x);
+        let limits = self.enough.as_ref().iter().zip(self.part.as_ref());
+        let pairs = correction.as_ref().iter().zip(limits);
         // All are compared, so that there is one branch.
-        pairs.fold(true, |all, (c, enough)| all & (c.abs() <= *enough))
+        pairs
+            .zip(scales.as_ref())
+            .fold(true, |all, ((c, (enough, part)), scale)| {
+                all & (c.abs() <= *enough) & (c.abs() <= *part * *scale)
+            })
     }
 }
 
@@ -221,6 +232,19 @@ fn blocks<'a, S: Correctable<T>, T: Real>(
         let next = largest_of(x.as_ref(), &unknowns);
         (unknowns, larger(now, next))
     })
+}
+
+/// The scale of each unknown: that of its block.
+#[inline]
+fn scales<S: Correctable<T>, T: Real>(known: &[T], x: &S::Unknowns) -> S::Unknowns {
+    let mut scales = *x;
+    for (unknowns, scale) in blocks::<S, T>(known, x) {
+        let own = scales.as_mut().iter_mut();
+        for own in own.take(unknowns.end).skip(unknowns.start) {
+            *own = scale;
+        }
+    }
+    scales
 }
 
 /// The largest part of the scale of its block that a component of `correction` is.

@@ -17,6 +17,9 @@ fn relative_move<T: Real>() -> T {
     T::EPSILON.sqrt()
 }
 
+/// Parts of it that are tried: a rotation by whole turns looks like none, but not by three that do not fit each other.
+const MOVES: [f64; 3] = [1.0, -0.618_033_988_749_894_8, 0.414_213_562_373_095_1];
+
 /// Whether some of the state follows from unknowns that are not its own.
 pub(crate) fn follows<S: System<T>, T: Scalar>() -> bool {
     let told = S::UNKNOWNS.iter().filter(|block| block.told);
@@ -59,13 +62,14 @@ pub(crate) fn amplification<S: System<T>, T: Real>(
         offset = own.end;
         let known_of = block.measure.clone().unwrap_or(0..0);
         let scale = larger(largest_of(x.as_ref(), &own), largest_of(known, &known_of));
-        for j in own {
+        for (j, part) in own.flat_map(|j| MOVES.map(|part| (j, T::constant(part)))) {
             let mut moved = *x;
             if let Some(moved) = moved.as_mut().get_mut(j) {
-                *moved = *moved + relative_move::<T>() * scale;
+                *moved = *moved + part * relative_move::<T>() * scale;
             }
             let moved = S::next(scene, step, &moved);
-            let change = change(S::Model::DESCRIPTION.states, known, next, moved.as_ref());
+            let mut change = change(S::Model::DESCRIPTION.states, known, next, moved.as_ref());
+            change.times = change.times / part.abs();
             if change.times > most.times {
                 most = change;
             }

@@ -50,6 +50,21 @@ mod magnified {
     }
 }
 
+/// A state that shrinks to a third and less in each step: what was a small correction once is a large one soon.
+mod dwindle {
+    residua::model! {
+        //! Dwindling cubic.
+        param q = 0.4;
+        param c = 0.3;
+        state x;
+        residual {
+            x[k+1]^3 + x^2*x[k+1]*0.01 + x[k+1]^2*x*c = q*(1 + 0.5*sin(5*t))*x^3;
+        }
+        solve for next, increment;
+        start { x = 1; }
+    }
+}
+
 /// An ensemble of one, which is shown after each step.
 fn fly(case: &Case, h: f64, steps: u64, observer: &(dyn Fn(Sample) + Sync)) -> Outcome {
     let fleet = Fleet {
@@ -139,6 +154,39 @@ fn a_kick_is_not_solved_as_what_was_before_it() {
         let states = shown.into_inner().expect("no panic");
         let pairs = compare(solver, &case, h, &states);
         assert_right(&pairs, &format!("a = {a}, in an ensemble"));
+    }
+}
+
+#[test]
+fn a_state_that_dwindles_is_solved_to_its_own_size() {
+    for (q, h) in [(0.30625, 0.1), (0.8, 0.37), (0.4725, 0.01)] {
+        let case = Case::with_parameters(&dwindle::MODEL, vec![q, 0.3]);
+        for solver in case.model.solvers {
+            let pairs = steps(*solver, &case, h, 80);
+            assert_relative(&pairs, &format!("q = {q}"));
+        }
+        let shown = Mutex::new(Vec::new());
+        fly(&case, h, 80, &|sample| {
+            let mut shown = shown.lock().expect("no panic");
+            shown.push((sample.t, sample.state.to_vec()));
+        });
+        let states = shown.into_inner().expect("no panic");
+        let pairs = compare(solver(case.model, "increment"), &case, h, &states);
+        assert_relative(&pairs, &format!("q = {q}, in an ensemble"));
+    }
+}
+
+/// Newton's tolerance, in units of each state itself.
+fn assert_relative(pairs: &[(Vec<f64>, Vec<f64>)], what: &str) {
+    for (step, (found, expected)) in pairs.iter().enumerate() {
+        for (found, expected) in found.iter().zip(expected) {
+            let off = (found - expected).abs();
+            let shown = off / expected.abs();
+            assert!(
+                off <= 4e-12 * expected.abs(),
+                "{what}, step {step}: {shown:e}"
+            );
+        }
     }
 }
 

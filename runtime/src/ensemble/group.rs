@@ -64,8 +64,10 @@ pub(super) struct Group<'a> {
     /// What the sums of increments have lost to rounding, before and after the step.
     lost: [Vec<Row>; 2],
     shifts: Shifts,
-    /// First corrections up to here leave less than rounding, as second ones told.
+    /// First corrections up to here leave less than rounding, as second ones told,
     enough: Vec<Row>,
+    /// if they are also no more than that part of their scales.
+    part: Vec<Row>,
     /// Those up to here leave little, whatever the equations have become.
     harmless: Vec<Row>,
     /// Some of the state follows from unknowns that are not its own.
@@ -120,6 +122,7 @@ impl<'a> Group<'a> {
             lost: [rows(sizes.state), rows(sizes.state)],
             shifts: Shifts::new(sizes.unknowns),
             enough: vec![all(NEVER); sizes.unknowns],
+            part: rows(sizes.unknowns),
             harmless: rows(sizes.unknowns),
             follows: kernel.follows(),
             reach: vec![all(f64::INFINITY); sizes.state],
@@ -247,7 +250,6 @@ impl<'a> Group<'a> {
             enough: &self.enough,
             harmless: &self.harmless,
             reach: &self.reach,
-            idle: &self.idle,
         };
         let landing = Landing {
             shift: self.shifts.next(),
@@ -258,9 +260,9 @@ impl<'a> Group<'a> {
             sound: &mut self.sound,
             within: &mut self.within,
         };
-        let done = self.kernel.correct(self.arch, start, landing);
+        self.kernel.correct(self.arch, start, landing);
         self.rounds += 1;
-        if !done {
+        if !self.are_all_within() {
             self.correct_again();
         }
         if !is_quiet {
@@ -270,6 +272,20 @@ impl<'a> Group<'a> {
             self.lost.swap(0, 1);
         }
         self.shifts.push();
+    }
+
+    /// Whether the correction was enough for all; not for those that it was a larger part of `x` than was ever enough.
+    #[inline]
+    fn are_all_within(&mut self) -> bool {
+        self.arch.dispatch(judge::Parts {
+            blocks: self.kernel.blocks(),
+            state: &self.state,
+            x: &self.x,
+            correction: &self.correction,
+            part: &self.part,
+            idle: &self.idle,
+            within: &mut self.within,
+        })
     }
 
     /// Lets a trajectory go on alone from the state before the step.

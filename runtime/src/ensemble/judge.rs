@@ -14,6 +14,7 @@ use crate::settings::AT_ROUNDING;
 use crate::settings::LEFTOVER;
 use crate::settings::NOTHING;
 use crate::settings::REACH;
+use pulp::NullaryFnOnce;
 
 /// What one correction says.
 pub(crate) struct Progress {
@@ -104,6 +105,47 @@ pub(crate) fn limits(
     limits
 }
 
+/// Takes it back that a correction was enough, where it is a larger part of the scale of its unknown than ever was; true if it was
+/// enough for all but the idle. For [`Arch::dispatch`](pulp::Arch::dispatch).
+pub(crate) struct Parts<'a> {
+    pub(crate) blocks: &'a [Unknown],
+    pub(crate) state: &'a [Row],
+    pub(crate) x: &'a [Row],
+    pub(crate) correction: &'a [Row],
+    pub(crate) part: &'a [Row],
+    pub(crate) idle: &'a Row,
+    pub(crate) within: &'a mut Row,
+}
+
+impl NullaryFnOnce for Parts<'_> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn call(self) -> bool {
+        let mut excess = all(0.0);
+        let mut offset = 0;
+        for block in self.blocks {
+            let unknowns = offset..offset + block.len;
+            offset = unknowns.end;
+            let scale = scale(block, self.state, &self.x[unknowns.clone()]);
+            let pairs = self.correction[unknowns.clone()].iter();
+            for (correction, part) in pairs.zip(&self.part[unknowns]) {
+                for i in 0..WIDTH {
+                    let more = correction[i].abs() - part[i] * scale[i];
+                    excess[i] = if more > excess[i] { more } else { excess[i] };
+                }
+            }
+        }
+        let mut open = all(0.0);
+        for i in 0..WIDTH {
+            let within = if excess[i] > 0.0 { 0.0 } else { self.within[i] };
+            self.within[i] = within;
+            open[i] = (1.0 - within) * (1.0 - self.idle[i]);
+        }
+        open.iter().all(|open| *open == 0.0)
+    }
+}
+
 /// Raises what the states of a trajectory are to be below, see [`reach`](crate::sensitivity::reach).
 pub(crate) fn widen(variables: &[Variable], state: &[Row], lane: usize, reach: &mut [Row]) {
     let mut offset = 0;
@@ -118,6 +160,7 @@ pub(crate) fn widen(variables: &[Variable], state: &[Row], lane: usize, reach: &
     }
 }
 
+#[inline(always)]
 fn scale(block: &Unknown, state: &[Row], x: &[Row]) -> Row {
     let mut scale = largest(x);
     if let Some(measure) = &block.measure {
@@ -134,6 +177,7 @@ fn scale(block: &Unknown, state: &[Row], x: &[Row]) -> Row {
 }
 
 /// The largest magnitude among finite numbers of each column.
+#[inline(always)]
 fn largest(rows: &[Row]) -> Row {
     let mut largest = all(0.0);
     for row in rows {

@@ -82,8 +82,6 @@ pub(crate) struct Start<'a> {
     pub(crate) harmless: &'a [Row],
     /// States below that are known from the unknowns.
     pub(crate) reach: &'a [Row],
-    /// 1 for lanes that nobody looks at, 0 for others.
-    pub(crate) idle: &'a Row,
 }
 
 /// What a correction leads to.
@@ -149,8 +147,8 @@ pub(crate) trait Kernel: Sync {
     fn has_correction(&self) -> bool;
     /// Overwrites `out` with the scene of one trajectory.
     fn scene(&self, parameters: &[f64], h: f64, out: &mut [f64]);
-    /// Corrects the unknowns of all lanes once; true if that is enough for all but the idle.
-    fn correct(&self, arch: Arch, start: Start, landing: Landing) -> bool;
+    /// Corrects the unknowns of all lanes once.
+    fn correct(&self, arch: Arch, start: Start, landing: Landing);
     /// How many times rounding of the unknowns grows on its way to the state after the step, for one trajectory.
     fn amplification(&self, lane: usize, t: f64, scene: &[Row], state: &[Row], x: &[Row]) -> f64;
     /// One trajectory by itself.
@@ -201,7 +199,7 @@ impl<S: Wide + 'static> Kernel for Emitted<S> {
         Core::<S, f64>::scene(&parameters, h).spread(|i, value| out[i] = value);
     }
 
-    fn correct(&self, arch: Arch, start: Start, landing: Landing) -> bool {
+    fn correct(&self, arch: Arch, start: Start, landing: Landing) {
         let is_small = const {
             let solvers = <<S as System<f64>>::Model as Model<f64>>::DESCRIPTION.solvers;
             is_small(
@@ -214,13 +212,13 @@ impl<S: Wide + 'static> Kernel for Emitted<S> {
                 start,
                 landing,
                 system: PhantomData,
-            })
+            });
         } else {
             arch.dispatch(Correct::<Core<S, Lanes<SINGLE>>, SINGLE> {
                 start,
                 landing,
                 system: PhantomData,
-            })
+            });
         }
     }
 
@@ -253,10 +251,10 @@ struct Correct<'a, C, const N: usize> {
 }
 
 impl<C: System<Lanes<N>>, const N: usize> NullaryFnOnce for Correct<'_, C, N> {
-    type Output = bool;
+    type Output = ();
 
     #[inline(always)]
-    fn call(self) -> bool {
+    fn call(self) {
         let (from, to) = (self.start, self.landing);
         correct::<C, N>(
             from.t,
@@ -267,7 +265,6 @@ impl<C: System<Lanes<N>>, const N: usize> NullaryFnOnce for Correct<'_, C, N> {
             from.enough,
             from.harmless,
             from.reach,
-            from.idle,
             to.shift,
             to.x,
             to.correction,
@@ -275,7 +272,7 @@ impl<C: System<Lanes<N>>, const N: usize> NullaryFnOnce for Correct<'_, C, N> {
             to.lost,
             to.sound,
             to.within,
-        )
+        );
     }
 }
 
@@ -294,7 +291,6 @@ fn correct<C: System<Lanes<N>>, const N: usize>(
     enough: &[Row],
     harmless: &[Row],
     reach: &[Row],
-    idle: &Row,
     shift: &mut [Row],
     x: &mut [Row],
     correction: &mut [Row],
@@ -302,7 +298,7 @@ fn correct<C: System<Lanes<N>>, const N: usize>(
     lost: &mut [Row],
     sound: &mut Row,
     within: &mut Row,
-) -> bool {
+) {
     // Only to say how many components there are.
     let parameters = <C::Model as Model<Lanes<N>>>::Parameters::default();
     let states = C::Model::start(&parameters).to_array();
@@ -315,7 +311,6 @@ fn correct<C: System<Lanes<N>>, const N: usize>(
     let (state, losses, reach) = (&state[..n], &losses[..n], &reach[..n]);
     let (next, lost) = (&mut next[..n], &mut lost[..n]);
     let scene = &scene[..C::Scene::LEN];
-    let mut open = 0;
     for i in 0..WIDTH / N {
         let scene = C::Scene::gather(|j| lanes(&scene[j], i));
         let known = columns(states, state, i);
@@ -365,7 +360,6 @@ fn correct<C: System<Lanes<N>>, const N: usize>(
                 *is_known &= after.0[k].abs() < reach.0[k];
             }
         }
-        let idle = lanes::<N>(idle, i);
         for (k, is_within) in is_within.into_iter().enumerate() {
             let at = i + k * (WIDTH / N);
             let is_sound =
@@ -373,10 +367,8 @@ fn correct<C: System<Lanes<N>>, const N: usize>(
             let is_enough = is_sound & is_within;
             sound[at] = if is_sound { 1.0 } else { 0.0 };
             within[at] = if is_enough { 1.0 } else { 0.0 };
-            open |= u64::from(!is_enough & (idle.0[k] == 0.0));
         }
     }
-    open == 0
 }
 
 /// Column `i` of `rows`, in an array like `shape`.

@@ -9,6 +9,7 @@ use super::rate::is_telling;
 use super::rate::most_enough;
 use super::rate::most_harmless;
 use super::relative_size;
+use super::scales;
 use super::subtract;
 use crate::error::Failure;
 use crate::error::Fault;
@@ -40,14 +41,7 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
         guess: S::Unknowns,
         statistics: &mut Statistics,
     ) -> Result<(S::Unknowns, Report), Fault> {
-        let mut scales = guess;
-        for (unknowns, scale) in self.blocks(known) {
-            let own = scales.as_mut().iter_mut();
-            for own in own.take(unknowns.end).skip(unknowns.start) {
-                *own = scale;
-            }
-        }
-        self.shifts.choose_order(&scales);
+        self.shifts.choose_order(&scales::<S, T>(known, &self.x));
         let ahead = if self.trust == 0 {
             // From further away, so that convergence shows above rounding.
             self.shifts.shortly_ahead(guess)
@@ -164,7 +158,7 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
             }
         }
         let is_due = self.trust == 0;
-        let (mut enough, mut harmless) = (self.enough, self.harmless);
+        let (mut enough, mut part, mut harmless) = (self.enough, self.part, self.harmless);
         for (unknowns, scale) in self.blocks(known) {
             let own = harmless.as_mut().iter_mut();
             for harmless in own.take(unknowns.end).skip(unknowns.start) {
@@ -173,14 +167,17 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
             let limit = square.sqrt() * largest_of(self.previous.as_ref(), &unknowns);
             let most = most_enough(self.settings.tolerance) * scale;
             let limit = if limit > most { most } else { limit };
-            let own = enough.as_mut().iter_mut();
-            for enough in own.take(unknowns.end).skip(unknowns.start) {
+            let limits = enough.as_mut().iter_mut().zip(part.as_mut());
+            for (enough, part) in limits.take(unknowns.end).skip(unknowns.start) {
                 if is_due || limit > *enough {
                     *enough = limit;
+                    // What is nothing, and stays so, needs no correction.
+                    let is_nothing = limit <= T::constant(0.0);
+                    *part = if is_nothing { limit } else { limit / scale };
                 }
             }
         }
-        (self.enough, self.harmless) = (enough, harmless);
+        (self.enough, self.part, self.harmless) = (enough, part, harmless);
         // A tolerance near rounding asks for the thorough way.
         if is_due && self.shifts.are_many() && self.settings.is_above_rounding() {
             self.trust = TRUSTED_STEPS;

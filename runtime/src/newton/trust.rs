@@ -22,7 +22,7 @@ impl Problem<1> for Root2 {
 /// Newton's method that has found corrections of any size to be enough.
 fn credulous() -> Newton<Root<Root2, 1>, f64> {
     let mut newton = Newton::new(Settings::default());
-    newton.enough = [1.0];
+    (newton.enough, newton.part) = ([1.0], [1.0]);
     newton
 }
 
@@ -47,6 +47,15 @@ fn a_quick_step_ends_where_the_next_correction_would_be_nothing() {
     let (x, _) = quick(1.42).expect("a solution");
     assert!((x[0] - f64::sqrt(2.0)).abs() < 1e-15);
     assert_eq!(statistics.iterations, 4 + 3);
+}
+
+#[test]
+fn what_was_enough_of_a_large_unknown_is_not_of_a_small_one() {
+    let mut newton = credulous();
+    (newton.enough, newton.part) = ([1e-9], [1e-9]);
+    assert!(newton.is_enough(&[2.0], &[1.0], &[1e-9]));
+    assert!(!newton.is_enough(&[1e-3], &[1e-4], &[1e-10]));
+    assert!(!newton.is_enough(&[f64::NAN], &[f64::NAN], &[f64::NAN]));
 }
 
 #[test]

@@ -67,11 +67,10 @@ pub fn assign(
     let mut made: Vec<(Range<usize>, &Assignment)> = Vec::new();
     for assignment in assignments {
         let place = place(assignment, &target)?;
-        if let Some((_, before)) = made.iter().find(|(range, _)| *range == place.range) {
-            let message = format!(
-                "`{before}` and `{assignment}` give the same {}",
-                target.kind
-            );
+        let is_covered =
+            |range: &Range<usize>| place.range.start <= range.start && range.end <= place.range.end;
+        if let Some((_, before)) = made.iter().find(|(range, _)| is_covered(range)) {
+            let message = format!("`{assignment}` undoes `{before}` before it");
             return Err(Failure::input(message));
         }
         made.push((place.range.clone(), assignment));

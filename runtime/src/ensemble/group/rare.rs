@@ -76,7 +76,6 @@ impl Group<'_> {
                 enough: &self.enough,
                 harmless: &self.harmless,
                 reach: &self.reach,
-                idle: &self.idle,
             };
             let landing = Landing {
                 shift: &mut shift,
@@ -88,6 +87,15 @@ impl Group<'_> {
                 within: &mut self.within,
             };
             self.kernel.correct(self.arch, start, landing);
+            self.arch.dispatch(judge::Parts {
+                blocks,
+                state: &self.state,
+                x: &last_x,
+                correction: &self.correction,
+                part: &self.part,
+                idle: &self.idle,
+                within: &mut self.within,
+            });
             let now = judge::progress(blocks, &self.state, &last_x, &self.correction, tolerance);
             if round == 2 {
                 let scales = judge::scales(blocks, &self.state, &last_x);
@@ -173,9 +181,13 @@ impl Group<'_> {
             for (harmless, scale) in self.harmless.iter_mut().zip(scales) {
                 harmless[lane] = most_harmless::<f64>() * scale[lane];
             }
-            for (enough, limit) in self.enough.iter_mut().zip(limits) {
-                if is_due || limit[lane] > enough[lane] {
-                    enough[lane] = limit[lane];
+            let rows = self.enough.iter_mut().zip(&mut self.part);
+            for ((enough, part), (limit, scale)) in rows.zip(limits.iter().zip(scales)) {
+                let (limit, scale) = (limit[lane], scale[lane]);
+                if is_due || limit > enough[lane] {
+                    enough[lane] = limit;
+                    // What is nothing, and stays so, needs no correction.
+                    part[lane] = if limit <= 0.0 { limit } else { limit / scale };
                 }
             }
         }
