@@ -30,6 +30,7 @@ use crate::emit::stub;
 use crate::explicit::explicit;
 use crate::finding::Finding;
 use crate::finite::finite;
+use crate::finite::representable;
 use crate::lower::lower_continuous;
 use crate::lower::lower_discrete;
 use crate::model::Model;
@@ -133,6 +134,7 @@ pub fn analyse(name: &str, tokens: TokenStream) -> Result<Analysis, Errors> {
             *finding = finding.take().or(found);
         }
     }
+    representable(&model, &equations, &systems)?;
     Ok(Analysis {
         model,
         equations,

@@ -121,6 +121,27 @@ pub struct System {
     pub printed: Vec<Option<Printed>>,
 }
 
+impl System {
+    /// The roots that are emitted besides the residual.
+    pub fn derived(&self) -> Vec<NodeId> {
+        let mut roots: Vec<NodeId> = self.jacobian.iter().map(|entry| entry.node).collect();
+        roots.extend(self.guess.iter().chain(&self.next));
+        roots.extend(self.change.iter().flatten());
+        if let Some(core) = &self.core {
+            let reduced = &core.reduced;
+            roots.extend(core.jacobian.iter().map(|entry| entry.node));
+            roots.extend(reduced.residual.iter().chain(&reduced.next));
+            roots.extend(core.change.iter().flatten());
+            roots.push(reduced.growth);
+        }
+        if let Some(correction) = &self.correction {
+            roots.extend(&correction.x);
+            roots.push(correction.growth);
+        }
+        roots
+    }
+}
+
 /// What is left of a solver, with its derivative.
 #[derive(Clone, Debug)]
 pub struct Core {

@@ -19,6 +19,7 @@ use crate::emit::emit;
 use crate::emit::errors;
 use crate::emit::vacant;
 use crate::finite::finite;
+use crate::finite::representable;
 use crate::lower::lower_continuous;
 use crate::lower::lower_discrete;
 use crate::model::Model;
@@ -136,6 +137,8 @@ pub fn analyse_scene(name: &str, tokens: TokenStream, read: ReadModel) -> Result
     let equations = special.equations;
     let typical = Typical::new(&equations.dag, &equations.defaults);
     let system = system(discrete, jacobian, blocks, &typical);
+    let systems = std::slice::from_ref(&system);
+    representable(&model, &equations, systems).map_err(|errors| errors.at(place))?;
     Ok(Scene {
         model,
         equations,
