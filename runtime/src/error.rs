@@ -20,6 +20,8 @@ pub enum Failure {
     Singular,
     /// Some of the state follows from the unknowns, and rounding of these would leave it less than ten digits, in `f32` five.
     Undetermined,
+    /// Rounding of the unknowns makes an equation another one: a number is too large for the format.
+    Unresolved,
     /// NaN or infinity in a residual, an unknown or the state after the step.
     NotFinite,
     /// The stages of a scheme could not be solved for.
@@ -44,7 +46,7 @@ pub enum Place {
 pub struct Fault {
     /// Why the step failed.
     pub failure: Failure,
-    /// The first component that is not finite, what is undetermined, or else the row of the largest residual.
+    /// The first component that is not finite, what is undetermined or unresolved, or else the row of the largest residual.
     pub place: Place,
     /// The value there; of what is undetermined, how many times rounding grows.
     pub value: f64,
@@ -93,6 +95,11 @@ impl fmt::Display for StepError {
                     f,
                     " is not known: on its way from the unknowns, rounding grows {value:.1e} times; a shorter step may do"
                 );
+            }
+            Failure::Unresolved => {
+                f.write_str("rounding of the unknowns changes ")?;
+                self.write_place(f)?;
+                return f.write_str(": they are too large for numbers of so few digits");
             }
             Failure::NotFinite => {
                 self.write_place(f)?;

@@ -75,6 +75,7 @@ mod newton;
 mod packed;
 mod report;
 mod requirement;
+mod resolution;
 mod scalar;
 mod scheme;
 mod sensitivity;

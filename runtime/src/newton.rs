@@ -236,7 +236,7 @@ fn blocks<'a, S: Correctable<T>, T: Real>(
 
 /// The scale of each unknown: that of its block.
 #[inline]
-fn scales<S: Correctable<T>, T: Real>(known: &[T], x: &S::Unknowns) -> S::Unknowns {
+pub(crate) fn scales<S: Correctable<T>, T: Real>(known: &[T], x: &S::Unknowns) -> S::Unknowns {
     let mut scales = *x;
     for (unknowns, scale) in blocks::<S, T>(known, x) {
         let own = scales.as_mut().iter_mut();

@@ -8,6 +8,7 @@ use crate::scalar::Real;
 use crate::scalar::Scalar;
 use crate::scalar::larger;
 use crate::scalar::largest_of;
+use crate::settings::MOVES;
 use crate::settings::NOTHING;
 use crate::settings::REACH;
 
@@ -16,9 +17,6 @@ use crate::settings::REACH;
 fn relative_move<T: Real>() -> T {
     T::EPSILON.sqrt()
 }
-
-/// Parts of it that are tried: a rotation by whole turns looks like none, but not by three that do not fit each other.
-const MOVES: [f64; 3] = [1.0, -0.618_033_988_749_894_8, 0.414_213_562_373_095_1];
 
 /// Whether some of the state follows from unknowns that are not its own.
 pub(crate) fn follows<S: System<T>, T: Scalar>() -> bool {
@@ -79,7 +77,7 @@ pub(crate) fn amplification<S: System<T>, T: Real>(
     most
 }
 
-/// How large a state may become before the amplification is looked at again: [`REACH`] times what each variable is, or was
+/// How large a state may become before it is looked at again what rounding of the unknowns does: [`REACH`] times what each variable is, or was
 /// before. What follows from the unknowns usually grows with them.
 pub(crate) fn reach<S: System<T>, T: Real>(
     before: &StateArray<S, T>,

@@ -105,6 +105,14 @@ pub(crate) const AT_ROUNDING: f64 = 4.0;
 /// steps where rounding does not. Larger drifts, smaller takes more corrections.
 pub(crate) const LEFTOVER: f64 = 1.0 / 1024.0;
 
+/// Parts of a distance that are tried where something is looked at within it: a rotation by whole turns looks like none, but not by
+/// three that do not fit each other.
+pub(crate) const MOVES: [f64; 3] = [1.0, -0.618_033_988_749_894_8, 0.414_213_562_373_095_1];
+
+/// Share by which rounding of the unknowns may change an equation's dependence on them. Larger takes iterates among many solutions for one
+/// of them; smaller refuses large angles whose digits still tell the attitude.
+pub(crate) const BLURRED: f64 = 0.125;
+
 /// Growth of a state within which rounding of the unknowns is taken to grow no more on its way to it. Larger notices later what is then
 /// refused; smaller looks more often while a motion sets out.
 pub(crate) const REACH: f64 = 4.0;

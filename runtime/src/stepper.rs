@@ -18,6 +18,7 @@ use crate::newton::Newton;
 use crate::report::History;
 use crate::report::Report;
 use crate::report::Statistics;
+use crate::resolution::unresolved;
 use crate::scalar::Real;
 use crate::sensitivity::Amplification;
 use crate::sensitivity::amplification;
@@ -45,7 +46,7 @@ pub struct Implicit<S: Solvable<T>, T: Real> {
 struct Solver<S: Correctable<T>, T: Real> {
     /// Some of the state follows from unknowns that are not its own.
     follows: bool,
-    /// States below that are known from the unknowns, as they were where that was looked at; infinite where nothing needs to be.
+    /// States below that are resolved, and known from the unknowns, as they were where that was looked at.
     reach: StateArray<S, T>,
     scene: S::Scene,
     newton: Newton<S, T>,
@@ -63,11 +64,9 @@ impl<S: Solvable<T>, T: Real> Stepper<S, T> {
 impl<S: Correctable<T>, T: Real> Solver<S, T> {
     fn new(parameters: &<S::Model as Model<T>>::Parameters, h: T) -> Self {
         let mut reach = S::Model::start(parameters).to_array();
-        let follows = follows::<S, T>();
-        let nothing = if follows { 0.0 } else { f64::INFINITY };
-        reach.as_mut().fill(T::constant(nothing));
+        reach.as_mut().fill(T::constant(0.0));
         Self {
-            follows,
+            follows: follows::<S, T>(),
             reach,
             scene: S::scene(parameters, h),
             newton: Newton::new(Settings::default()),
@@ -102,6 +101,9 @@ impl<S: Correctable<T>, T: Real> Solver<S, T> {
         let (next, lost_then) = self.after(&step, state, &x, lost);
         require_finite(&next)?;
         check(state, &next)?;
+        if !self.is_within_reach(&next) {
+            self.require_resolved(&step, state, &x)?;
+        }
         self.reach = reach::<S, T>(&self.reach, &next);
         (*state, *lost) = (next, lost_then);
         Ok(report)
@@ -144,6 +146,23 @@ impl<S: Correctable<T>, T: Real> Solver<S, T> {
         Ok(())
     }
 
+    /// Refuses a solution of equations that rounding of it makes others.
+    fn require_resolved(
+        &self,
+        step: &S::Step,
+        state: &StateArray<S, T>,
+        x: &S::Unknowns,
+    ) -> Result<(), Fault> {
+        match unresolved::<S, T>(&self.scene, step, state.as_ref(), x) {
+            None => Ok(()),
+            Some(row) => Err(Fault {
+                failure: Failure::Unresolved,
+                place: Place::Equation(row),
+                value: 0.0,
+            }),
+        }
+    }
+
     /// Takes `state` on by as many of `count` steps as can be solved quickly.
     #[inline]
     fn advance_quickly(
@@ -179,7 +198,7 @@ impl<S: Correctable<T>, T: Real> Solver<S, T> {
         taken
     }
 
-    /// Whether the state is finite, and such states were known from the unknowns.
+    /// Whether the state is finite, and such states have been looked at.
     #[inline]
     fn is_within_reach(&self, state: &StateArray<S, T>) -> bool {
         let pairs = state.as_ref().iter().zip(self.reach.as_ref());

@@ -129,6 +129,8 @@ pub const ALL: &[Mutation] = &[
     mutation("a failed step leaves the state", STEPPER, "        require_finite(&next)?;\n        check(", "        (*state, *lost) = (next, lost_then);\n        require_finite(&next)?;\n        check("),
     mutation("what is eliminated must be known", STEPPER, "if !is_trusted::<S, T>(scene, &step, &x) {", "if false {"),
     mutation("what follows from the unknowns must be known", STEPPER, "if times > most_growth::<T>() {", "if false {"),
+    mutation("equations must be resolved by the format", STEPPER, "if !self.is_within_reach(&next) {", "if false {"),
+    mutation("an edge is no lack of digits", "runtime/src/resolution.rs", "is_another(&down, i) && (", "is_another(&down, i) || ("),
     mutation("a state that has grown is looked at again", STEPPER, "all & (x.abs() < *reach)", "all & (*reach >= T::constant(0.0)) & x.is_finite()"),
     mutation("starts of a run of steps are those of each step", SHIFTS, "self.rest = self.all_but_last(self.order, 0);", "self.rest = self.all_but_last(self.order, 1);"),
     mutation("what is eliminated must fulfil all equations", STEPPER, "            if S::HAS_CORE {\n                full.check(t, state, next)", "            if false {\n                full.check(t, state, next)"),

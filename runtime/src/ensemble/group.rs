@@ -72,7 +72,7 @@ pub(super) struct Group<'a> {
     harmless: Vec<Row>,
     /// Some of the state follows from unknowns that are not its own.
     follows: bool,
-    /// States below that are known from the unknowns, as they were where that was looked at; infinite where nothing needs to be.
+    /// States below that are resolved, and known from the unknowns, as they were where that was looked at.
     reach: Vec<Row>,
     /// The step at which convergence is measured anew.
     due: [u64; WIDTH],
@@ -125,7 +125,7 @@ impl<'a> Group<'a> {
             part: rows(sizes.unknowns),
             harmless: rows(sizes.unknowns),
             follows: kernel.follows(),
-            reach: vec![all(f64::INFINITY); sizes.state],
+            reach: rows(sizes.state),
             due: [0; WIDTH],
             quiet_until: 0,
             start: rows(sizes.unknowns),
@@ -193,6 +193,8 @@ impl<'a> Group<'a> {
         if can_join && is_alone && !is_first_alone {
             self.stand_up(lane);
             self.join(lane);
+            // It has not taken a step yet that was looked at.
+            self.reach.iter_mut().for_each(|row| row[lane] = 0.0);
         }
     }
 
@@ -212,10 +214,8 @@ impl<'a> Group<'a> {
             row[lane] = 0.0;
         }
         self.shifts.forget(lane);
-        if self.follows {
-            self.reach.iter_mut().for_each(|row| row[lane] = 0.0);
-            judge::widen(self.kernel.states(), &self.state, lane, &mut self.reach);
-        }
+        self.reach.iter_mut().for_each(|row| row[lane] = 0.0);
+        judge::widen(self.kernel.states(), &self.state, lane, &mut self.reach);
     }
 
     fn advance(&mut self) {

@@ -27,8 +27,10 @@ use crate::linear::Solvable;
 use crate::model::Cache;
 use crate::model::Model;
 use crate::model::Record;
+use crate::model::StateArray;
 use crate::model::System;
 use crate::report::Statistics;
+use crate::resolution::unresolved;
 use crate::scalar::Scalar;
 use crate::sensitivity::amplification;
 use crate::sensitivity::follows;
@@ -150,9 +152,21 @@ pub(crate) trait Kernel: Sync {
     /// Corrects the unknowns of all lanes once.
     fn correct(&self, arch: Arch, start: Start, landing: Landing);
     /// How many times rounding of the unknowns grows on its way to the state after the step, for one trajectory.
-    fn amplification(&self, lane: usize, t: f64, scene: &[Row], state: &[Row], x: &[Row]) -> f64;
+    fn amplification(&self, at: At) -> f64;
+    /// Whether rounding of the unknowns leaves the equations what they are.
+    fn is_resolved(&self, at: At) -> bool;
     /// One trajectory by itself.
     fn alone(&self, departure: &Departure) -> Result<Box<dyn Alone>, InvalidRun>;
+}
+
+/// A step of one trajectory.
+#[derive(Clone, Copy)]
+pub(crate) struct At<'a> {
+    pub(crate) lane: usize,
+    pub(crate) t: f64,
+    pub(crate) scene: &'a [Row],
+    pub(crate) state: &'a [Row],
+    pub(crate) x: &'a [Row],
 }
 
 /// The [`Kernel`] of `S`.
@@ -161,6 +175,26 @@ pub(crate) struct Emitted<S>(PhantomData<fn() -> S>);
 impl<S> Emitted<S> {
     /// The only value.
     pub(crate) const NEW: Self = Self(PhantomData);
+}
+
+/// The scene, the step, the state and the unknowns of one trajectory.
+#[expect(clippy::type_complexity, reason = "a tuple of what System names")]
+fn gather<S: Wide>(
+    at: At,
+) -> (
+    <Core<S, f64> as System<f64>>::Scene,
+    <Core<S, f64> as System<f64>>::Step,
+    StateArray<S, f64>,
+    <Core<S, f64> as System<f64>>::Unknowns,
+) {
+    let parameters = <<S as System<f64>>::Model as Model<f64>>::Parameters::default();
+    let mut known = <<S as System<f64>>::Model as Model<f64>>::start(&parameters).to_array();
+    get(at.state, at.lane, known.as_mut());
+    let (mut x, _) = Core::<S, f64>::zeros();
+    get(at.x, at.lane, x.as_mut());
+    let scene = <Core<S, f64> as System<f64>>::Scene::gather(|j| at.scene[j][at.lane]);
+    let step = Core::<S, f64>::step(&scene, at.t, &known);
+    (scene, step, known, x)
 }
 
 /// What is left of `S` after elimination, on `T`.
@@ -222,15 +256,14 @@ impl<S: Wide + 'static> Kernel for Emitted<S> {
         }
     }
 
-    fn amplification(&self, lane: usize, t: f64, scene: &[Row], state: &[Row], x: &[Row]) -> f64 {
-        let parameters = <<S as System<f64>>::Model as Model<f64>>::Parameters::default();
-        let mut known = <<S as System<f64>>::Model as Model<f64>>::start(&parameters).to_array();
-        get(state, lane, known.as_mut());
-        let (mut unknowns, _) = Core::<S, f64>::zeros();
-        get(x, lane, unknowns.as_mut());
-        let scene = <Core<S, f64> as System<f64>>::Scene::gather(|j| scene[j][lane]);
-        let step = Core::<S, f64>::step(&scene, t, &known);
-        amplification::<Core<S, f64>, f64>(&scene, &step, &unknowns, &known).times
+    fn amplification(&self, at: At) -> f64 {
+        let (scene, step, known, x) = gather::<S>(at);
+        amplification::<Core<S, f64>, f64>(&scene, &step, &x, &known).times
+    }
+
+    fn is_resolved(&self, at: At) -> bool {
+        let (scene, step, known, x) = gather::<S>(at);
+        unresolved::<Core<S, f64>, f64>(&scene, &step, known.as_ref(), &x).is_none()
     }
 
     fn alone(&self, departure: &Departure) -> Result<Box<dyn Alone>, InvalidRun> {

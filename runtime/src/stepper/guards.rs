@@ -13,6 +13,7 @@ use crate::specimens::root::Flat;
 use crate::specimens::root::Problem;
 use crate::specimens::root::Root;
 use crate::stepper::Solver;
+use std::string::ToString;
 
 /// x = 2, whatever the step before.
 fn two(x: [f64; 1]) -> Evaluated<1> {
@@ -112,9 +113,26 @@ fn a_state_that_has_grown_is_looked_at_again() {
     assert!(step.is_ok() && state == [2.0]);
     assert!(solver.is_within_reach(&[-7.9]) && !solver.is_within_reach(&[8.1]));
     assert!(!solver.is_within_reach(&[f64::NAN]));
-    // What is its own unknown needs to be finite only.
-    let solver = Solver::<Root<Divided, 1>, f64>::new(&Flat([]), 1.0);
-    assert!(solver.is_within_reach(&[1e300]) && !solver.is_within_reach(&[f64::INFINITY]));
+}
+
+/// sin x = 0 where the next number is 16 radians away: every correction is small beside x.
+struct Wave;
+impl Problem<1> for Wave {
+    fn evaluate(x: [f64; 1]) -> Evaluated<1> {
+        ([x[0].sin()], [[x[0].cos()]])
+    }
+}
+
+#[test]
+fn equations_that_rounding_makes_others_are_refused() {
+    let mut stepper = Stepper::<Root<Wave, 1>>::new(Flat([]), Flat([1e17]), 1.0).unwrap();
+    let outcome = stepper.step();
+    let error = outcome.unwrap_err();
+    assert_eq!(error.fault.failure, Failure::Unresolved);
+    assert_eq!(error.fault.place, Place::Equation(0));
+    assert_eq!(stepper.state_array(), &[1e17]);
+    let message = "rounding of the unknowns changes equation 1, `r(x) = 0` (line 3): they are too large for numbers of so few digits";
+    assert!(error.to_string().ends_with(message), "{error}");
 }
 
 /// A core that solves its own equation and misses those of the system.

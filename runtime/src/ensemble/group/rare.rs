@@ -5,6 +5,7 @@ use super::Group;
 use super::NEVER;
 use super::QUIET_STEPS;
 use crate::ensemble::judge;
+use crate::ensemble::kernel::At;
 use crate::ensemble::kernel::Landing;
 use crate::ensemble::kernel::Start;
 use crate::ensemble::rows::Mask;
@@ -141,8 +142,8 @@ impl Group<'_> {
         self.depart(lane, self.step.saturating_add(absence));
     }
 
-    /// Looks again at those whose states have grown beyond where they were known to be told by the unknowns, and lets go whose are
-    /// not.
+    /// Looks again at those whose states have grown beyond where they were looked at, and lets go whose rounding of the unknowns does not
+    /// leave what it should.
     fn look_at_grown(&mut self, open: &Mask) {
         for lane in (0..WIDTH).filter(|lane| open[*lane]) {
             let mut pairs = self.next.iter().zip(&self.reach);
@@ -151,7 +152,9 @@ impl Group<'_> {
             }
             if self.is_explicit() {
                 self.depart(lane, self.step + 1);
-            } else if self.is_known(lane, &self.x) {
+            } else if self.is_known(lane, &self.x)
+                && self.kernel.is_resolved(self.at(lane, &self.x))
+            {
                 judge::widen(self.kernel.states(), &self.next, lane, &mut self.reach);
             } else {
                 self.give_up(lane);
@@ -165,10 +168,17 @@ impl Group<'_> {
         if !self.follows {
             return true;
         }
-        let growth = self
-            .kernel
-            .amplification(lane, self.t(), &self.scene, &self.state, x);
-        growth <= MOST_GROWTH
+        self.kernel.amplification(self.at(lane, x)) <= MOST_GROWTH
+    }
+
+    fn at<'b>(&'b self, lane: usize, x: &'b [Row]) -> At<'b> {
+        At {
+            lane,
+            t: self.t(),
+            scene: &self.scene,
+            state: &self.state,
+            x,
+        }
     }
 
     /// Takes in the limits of those who are due, and the larger ones of others.

@@ -1,0 +1,119 @@
+//! Whether the numbers that a step is solved in resolve its equations.
+
+use crate::description::Unknown;
+use crate::linear::Correctable;
+use crate::linear::SquareMatrix;
+use crate::newton::scales;
+use crate::scalar::Real;
+use crate::scalar::larger;
+use crate::settings::AT_ROUNDING;
+use crate::settings::BLURRED;
+use crate::settings::MOVES;
+
+/// The first equation that rounding of the unknowns makes another one: where each moves by a few ε, up or down, the row of
+/// the Jacobian changes by more than a share of itself, Σ |ΔJᵢⱼ| |xⱼ| > share Σ |Jᵢⱼ| |xⱼ|. Independent of units.
+///
+/// In a sine of 10⁷ radians, of which `f32` holds only every one, a correction is small beside the angle wherever the iterate is, and
+/// leads to no solution.
+#[cold]
+pub(crate) fn unresolved<S: Correctable<T>, T: Real>(
+    scene: &S::Scene,
+    step: &S::Step,
+    known: &[T],
+    x: &S::Unknowns,
+) -> Option<usize> {
+    let rounding = rounding::<S, T>(known, x);
+    let jacobian = |part: f64| {
+        let mut moved = *x;
+        for (x, rounding) in moved.as_mut().iter_mut().zip(rounding.as_ref()) {
+            *x = *x + T::constant(part) * *rounding;
+        }
+        let (mut r, mut j) = S::zeros();
+        S::residual_and_jacobian(scene, step, &moved, &mut r, &mut j);
+        j
+    };
+    let scales = scales::<S, T>(known, x);
+    let n = scales.as_ref().len();
+    let here = jacobian(0.0);
+    let [up, down, less] = MOVES.map(jacobian);
+    let is_another = |there: &S::Jacobian, i: usize| {
+        let (mut change, mut size) = (T::constant(0.0), T::constant(0.0));
+        let rows = here.entries().iter().zip(there.entries()).skip(i * n);
+        for ((here, there), scale) in rows.zip(scales.as_ref()) {
+            change = change + (*there - *here).abs() * *scale;
+            size = size + here.abs() * *scale;
+        }
+        // What has no value there tells nothing.
+        change > T::constant(BLURRED) * size
+    };
+    // An edge is on one side.
+    (0..n).find(|&i| is_another(&down, i) && (is_another(&up, i) || is_another(&less, i)))
+}
+
+/// A few ε of each unknown: of itself, or of the component that it advances.
+fn rounding<S: Correctable<T>, T: Real>(known: &[T], x: &S::Unknowns) -> S::Unknowns {
+    let mut rounding = *x;
+    let mut own = rounding.as_mut().iter_mut();
+    let blocks: &[Unknown] = S::UNKNOWNS;
+    for block in blocks {
+        let measure = block.measure.clone().unwrap_or(0..0);
+        let mut advanced = known.iter().take(measure.end).skip(measure.start);
+        for x in own.by_ref().take(block.len) {
+            let known = advanced
+                .next()
+                .map_or(T::constant(0.0), |known| known.abs());
+            *x = T::constant(AT_ROUNDING) * T::EPSILON * larger(x.abs(), known);
+        }
+    }
+    rounding
+}
+
+#[cfg(test)]
+mod tests {
+    use super::unresolved;
+    use crate::specimens::root::Evaluated;
+    use crate::specimens::root::Problem;
+    use crate::specimens::root::Root;
+
+    /// x − 2 sin x = 0, and nothing but itself for y.
+    struct Wave;
+    impl Problem<2> for Wave {
+        fn evaluate([x, y]: [f64; 2]) -> Evaluated<2> {
+            let r = [y - 1.0, x - 2.0 * x.sin()];
+            (r, [[0.0, 1.0], [1.0 - 2.0 * x.cos(), 0.0]])
+        }
+    }
+
+    #[test]
+    fn a_sine_of_more_than_the_format_resolves_is_found() {
+        let row = |x: f64| unresolved::<Root<Wave, 2>, f64>(&(), &[0.0; 2], &[0.0; 2], &[x, 1.0]);
+        for x in [0.0, 1.0, 1e6, 1e13] {
+            assert_eq!(row(x), None, "{x:e}");
+        }
+        for x in [1e15, 1e16, 1e200] {
+            assert_eq!(row(x), Some(1), "{x:e}");
+        }
+    }
+
+    /// √x and a stiff floor at 1, with an edge there.
+    struct Edge;
+    impl Problem<2> for Edge {
+        fn evaluate([x, y]: [f64; 2]) -> Evaluated<2> {
+            let (force, stiffness) = if y < 1.0 {
+                (1e6 * (1.0 - y), 1e6)
+            } else {
+                (0.0, 0.0)
+            };
+            let r = [x.sqrt(), y - 1.0 - force];
+            (r, [[0.5 / x.sqrt(), 0.0], [0.0, 1.0 + stiffness]])
+        }
+    }
+
+    #[test]
+    fn edges_are_not_blamed() {
+        for x in [[1.0, 1.0], [1e-20, 1.0], [0.0, 1.0_f64.next_down()]] {
+            let row = unresolved::<Root<Edge, 2>, f64>(&(), &[0.0; 2], &[0.0; 2], &x);
+            assert_eq!(row, None, "{x:?}");
+        }
+    }
+}
