@@ -117,6 +117,17 @@ pub struct Solver {
     pub core: Option<Box<Solver>>,
 }
 
+impl Solver {
+    /// Whether residuals have kinks or jumps.
+    pub fn has_kinks(&self) -> bool {
+        let mut values = self.schedule.values.iter();
+        values.any(|value| {
+            let has_kink = matches!(value.op, Op::Call(Elementary::Abs | Elementary::Sign, _));
+            has_kink && value.rate == Rate::Iteration
+        })
+    }
+}
+
 /// Everything that is emitted for one model.
 #[derive(Clone, Debug)]
 pub struct Program {

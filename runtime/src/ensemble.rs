@@ -22,6 +22,7 @@ use rayon::iter::ParallelIterator;
 use crate::erased::Sample;
 use crate::error::InvalidRun;
 use crate::error::RunError;
+use crate::integration::validate_time;
 use crate::model::Model;
 use crate::model::Record;
 use crate::model::System;
@@ -125,9 +126,7 @@ fn fly(kernel: &dyn Kernel, fleet: &Fleet) -> Result<Vec<Outcome>, InvalidRun> {
     if !fleet.h.is_finite() || fleet.h == 0.0 {
         return Err(InvalidRun::StepSize(fleet.h));
     }
-    if !fleet.t0.is_finite() {
-        return Err(InvalidRun::StartTime(fleet.t0));
-    }
+    validate_time(fleet.t0, fleet.h)?;
     let Range { start, end } = fleet.trajectories;
     let groups = end.saturating_sub(start).div_ceil(WIDTH);
     let outcomes: Vec<Vec<Outcome>> = (0..groups)

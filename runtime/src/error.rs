@@ -20,6 +20,8 @@ pub enum Failure {
     Singular,
     /// Some of the state follows from the unknowns, and rounding of these would leave it less than ten digits, in `f32` five.
     Undetermined,
+    /// The equations hold to rounding, which leaves an unknown fewer than ten digits, in `f32` five.
+    Loose,
     /// Rounding of the unknowns makes an equation another one: a number is too large for the format.
     Unresolved,
     /// NaN or infinity in a residual, an unknown or the state after the step.
@@ -46,9 +48,9 @@ pub enum Place {
 pub struct Fault {
     /// Why the step failed.
     pub failure: Failure,
-    /// The first component that is not finite, what is undetermined or unresolved, or else the row of the largest residual.
+    /// The first component that is not finite, what is undetermined, loose or unresolved, or else the row of the largest residual.
     pub place: Place,
-    /// The value there; of what is undetermined, how many times rounding grows.
+    /// The value there; of what is undetermined, how many times rounding grows, of what is loose, by which part of it.
     pub value: f64,
 }
 
@@ -94,6 +96,13 @@ impl fmt::Display for StepError {
                 return write!(
                     f,
                     " is not known: on its way from the unknowns, rounding grows {value:.1e} times; a shorter step may do"
+                );
+            }
+            Failure::Loose => {
+                self.write_place(f)?;
+                return write!(
+                    f,
+                    " is not known: the equations hold to rounding, and that moves it by {value:.1e} of its size"
                 );
             }
             Failure::Unresolved => {
@@ -169,6 +178,13 @@ pub enum InvalidRun {
     StepSize(f64),
     /// The start time is infinite or NaN.
     StartTime(f64),
+    /// A step does not change the start time: it is less than rounding of it.
+    StandingTime {
+        /// The start time.
+        t0: f64,
+        /// The step.
+        h: f64,
+    },
     /// A parameter is infinite or NaN.
     Parameter(Component, f64),
     /// A start value is infinite or NaN.
@@ -199,6 +215,10 @@ impl fmt::Display for InvalidRun {
         match self {
             Self::StepSize(h) => write!(f, "step h is {h}, {finite} other than 0"),
             Self::StartTime(t) => write!(f, "start time is {t}, {finite}"),
+            Self::StandingTime { t0, h } => write!(
+                f,
+                "a step of {h} does not change the start time {t0:e}: it is less than rounding of it"
+            ),
             Self::Parameter(component, value) => {
                 write!(f, "parameter {component} is {value}, {finite}")
             }

@@ -105,11 +105,9 @@ impl<M: Method<T>, T: Real> Integration<M, T> {
 
     /// The same run with the time `t0` at its start.
     ///
-    /// Errors: `t0` is infinite or NaN.
+    /// Errors: `t0` is infinite or NaN, or a step does not change it.
     pub fn at(self, t0: T) -> Result<Self, InvalidRun> {
-        if !t0.is_finite() {
-            return Err(InvalidRun::StartTime(t0.to_f64()));
-        }
+        validate_time(t0, self.h)?;
         Ok(Self { t0, ..self })
     }
 
@@ -243,6 +241,18 @@ impl<M: Method<T>, T: Real> Integration<M, T> {
 
 /// Refuses what [`Integration::new`] does: compiled once per model, whatever advances it.
 #[inline(never)]
+/// Time has to be finite, and to go on.
+pub(crate) fn validate_time<T: Real>(t0: T, h: T) -> Result<(), InvalidRun> {
+    if !t0.is_finite() {
+        return Err(InvalidRun::StartTime(t0.to_f64()));
+    }
+    if t0 + h == t0 {
+        let (t0, h) = (t0.to_f64(), h.to_f64());
+        return Err(InvalidRun::StandingTime { t0, h });
+    }
+    Ok(())
+}
+
 fn validate<M: Model<T>, T: Real>(
     parameters: &M::Parameters,
     state: &FlatState<M, T>,

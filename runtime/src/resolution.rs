@@ -8,10 +8,13 @@ use crate::scalar::Real;
 use crate::scalar::larger;
 use crate::settings::AT_ROUNDING;
 use crate::settings::BLURRED;
+use crate::settings::FAR;
 use crate::settings::MOVES;
 
 /// The first equation that rounding of the unknowns makes another one: where each moves by a few ε, up or down, the row of
 /// the Jacobian changes by more than a share of itself, Σ |ΔJᵢⱼ| |xⱼ| > share Σ |Jᵢⱼ| |xⱼ|. Independent of units.
+///
+/// Not so where a move many times larger changes it as many times more: there the row vanishes, as (x − L)³ and its slope do at L.
 ///
 /// In a sine of 10⁷ radians, of which `f32` holds only every one, a correction is small beside the angle wherever the iterate is, and
 /// leads to no solution.
@@ -36,18 +39,31 @@ pub(crate) fn unresolved<S: Correctable<T>, T: Real>(
     let n = scales.as_ref().len();
     let here = jacobian(0.0);
     let [up, down, less] = MOVES.map(jacobian);
-    let is_another = |there: &S::Jacobian, i: usize| {
-        let (mut change, mut size) = (T::constant(0.0), T::constant(0.0));
-        let rows = here.entries().iter().zip(there.entries()).skip(i * n);
-        for ((here, there), scale) in rows.zip(scales.as_ref()) {
-            change = change + (*there - *here).abs() * *scale;
-            size = size + here.abs() * *scale;
-        }
-        // What has no value there tells nothing.
-        change > T::constant(BLURRED) * size
+    let far = jacobian(FAR * MOVES[1]);
+    let size = |i| weighted(row(&here, i, n).iter().copied(), scales.as_ref());
+    let change = |there, i| {
+        let pairs = row(there, i, n).iter().zip(row(&here, i, n));
+        weighted(pairs.map(|(there, here)| *there - *here), scales.as_ref())
     };
+    // What has no value there tells nothing.
+    let is_another = |there, i| change(there, i) > T::constant(BLURRED) * size(i);
+    let is_saturated = |i| change(&far, i) <= T::constant(0.5 * FAR) * change(&down, i);
     // An edge is on one side.
-    (0..n).find(|&i| is_another(&down, i) && (is_another(&up, i) || is_another(&less, i)))
+    (0..n).find(|&i| {
+        is_another(&down, i) && (is_another(&up, i) || is_another(&less, i)) && is_saturated(i)
+    })
+}
+
+/// Row `i` of a matrix of `n` columns.
+fn row<T, M: SquareMatrix<T>>(matrix: &M, i: usize, n: usize) -> &[T] {
+    let mut rows = matrix.entries().chunks_exact(n.max(1));
+    rows.nth(i).unwrap_or_default()
+}
+
+/// Σ |aⱼ| |xⱼ|
+fn weighted<T: Real>(row: impl Iterator<Item = T>, scales: &[T]) -> T {
+    row.zip(scales)
+        .fold(T::constant(0.0), |sum, (a, scale)| sum + a.abs() * *scale)
 }
 
 /// A few ε of each unknown: of itself, or of the component that it advances.
@@ -71,6 +87,7 @@ fn rounding<S: Correctable<T>, T: Real>(known: &[T], x: &S::Unknowns) -> S::Unkn
 #[cfg(test)]
 mod tests {
     use super::unresolved;
+    use crate::description::Unknown;
     use crate::specimens::root::Evaluated;
     use crate::specimens::root::Problem;
     use crate::specimens::root::Root;
@@ -106,6 +123,37 @@ mod tests {
             };
             let r = [x.sqrt(), y - 1.0 - force];
             (r, [[0.5 / x.sqrt(), 0.0], [0.0, 1.0 + stiffness]])
+        }
+    }
+
+    /// Nothing moves, and nothing holds x.
+    struct Cubic;
+    impl Problem<2> for Cubic {
+        fn evaluate([x, v]: [f64; 2]) -> Evaluated<2> {
+            let r = [v + (x - 1.0).powi(3), x - 1.0 - v];
+            (r, [[3.0 * (x - 1.0).powi(2), 1.0], [1.0, -1.0]])
+        }
+        const UNKNOWNS: &'static [Unknown] = &[
+            Unknown {
+                name: "x",
+                len: 1,
+                measure: Some(0..1),
+                told: true,
+            },
+            Unknown {
+                name: "v",
+                len: 1,
+                measure: Some(1..2),
+                told: true,
+            },
+        ];
+    }
+
+    #[test]
+    fn a_stiffness_that_vanishes_is_no_lack_of_digits() {
+        for x in [1.0, 1.0 + f64::EPSILON, 1.0 - 1e-15] {
+            let row = unresolved::<Root<Cubic, 2>, f64>(&(), &[0.0; 2], &[x, 0.0], &[x, 0.0]);
+            assert_eq!(row, None, "{x:?}");
         }
     }
 

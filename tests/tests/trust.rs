@@ -65,6 +65,40 @@ mod dwindle {
     }
 }
 
+/// A growing oscillation that reaches a stiff stop.
+mod stop {
+    residua::model! {
+        //! One-sided spring.
+        param e = 19.256512742837604;
+        state x;
+        state v;
+        residual {
+            Δx = h*v[k+1];
+            Δv = -h*(100*x[k+1] - 10*v[k+1] + 1000000*(abs(x[k+1] - e) + x[k+1] - e)/2);
+        }
+        solve for increment;
+        start { x = 1; v = 0; }
+    }
+}
+
+/// A pendulum on a rod: the multiplier is known to ε/h² only, and no state follows from it.
+mod rod {
+    residua::model! {
+        //! Pendulum with a constraint on its position.
+        param g = 9.81;
+        state q: [2];
+        state v: [2];
+        unknown λ = 0;
+        residual {
+            Δq = h*v[k+1];
+            Δv = h*([0, -g] - λ*q);
+            q[k+1].T*q[k+1] = 1;
+        }
+        solve for next, increment;
+        start { q = [1, 0]; v = [0, 0]; }
+    }
+}
+
 /// An ensemble of one, which is shown after each step.
 fn fly(case: &Case, h: f64, steps: u64, observer: &(dyn Fn(Sample) + Sync)) -> Outcome {
     let fleet = Fleet {
@@ -154,6 +188,44 @@ fn a_kick_is_not_solved_as_what_was_before_it() {
         let states = shown.into_inner().expect("no panic");
         let pairs = compare(solver, &case, h, &states);
         assert_right(&pairs, &format!("a = {a}, in an ensemble"));
+    }
+}
+
+#[test]
+fn a_kink_between_the_last_iterate_and_the_solution_is_seen() {
+    // A stop that is off by so much from where the body gets to without it.
+    for i in -30..30 {
+        let e = 19.256_512_742_837_604 * (1.0 + 3e-10 * f64::from(i));
+        let case = Case::with_parameters(&stop::MODEL, vec![e]);
+        let solver = solver(case.model, "increment");
+        assert_right(&steps(solver, &case, 0.018, 40), &format!("e = {e}"));
+        let shown = Mutex::new(Vec::new());
+        let outcome = fly(&case, 0.018, 40, &|sample| {
+            let mut shown = shown.lock().expect("no panic");
+            shown.push((sample.t, sample.state.to_vec()));
+        });
+        assert!(outcome.error.is_none(), "e = {e}");
+        let states = shown.into_inner().expect("no panic");
+        let pairs = compare(solver, &case, 0.018, &states);
+        assert_right(&pairs, &format!("e = {e}, in an ensemble"));
+    }
+}
+
+#[test]
+fn a_multiplier_that_is_not_known_to_all_digits_stops_no_run() {
+    let case = Case::of_file(&rod::MODEL);
+    for solver in case.model.solvers {
+        for h in [0.01, 0.003, 0.001] {
+            let steps = (4.0 / h) as u64;
+            let mut length = 1.0_f64;
+            let made = solver.simulate(&case.run(h, steps), &mut |sample| {
+                length = sample.state[0].hypot(sample.state[1]);
+                assert!((length - 1.0).abs() <= 4.0 * f64::EPSILON, "{length}");
+                ControlFlow::Continue(())
+            });
+            let statistics = made.unwrap_or_else(|error| panic!("h = {h}: {error}"));
+            assert_eq!(statistics.steps, steps);
+        }
     }
 }
 

@@ -10,7 +10,9 @@ use std::collections::HashSet;
 const PATTERNS: &[&str] = &[
     "Model",
     "Next",
+    "NextCore",
     "Increment",
+    "IncrementCore",
     "MODEL",
     "DESCRIPTION",
     "None",

@@ -112,6 +112,11 @@ fn system(
         change_function(&mut context, n),
         more,
     ];
+    let kinks = solver.has_kinks().then(|| {
+        quote!(
+            const HAS_KINKS: bool = true;
+        )
+    });
     let index = whole(index);
     let Role {
         name,
@@ -139,6 +144,7 @@ fn system(
                 type Step = #step;
                 #own
                 const SOLVER: usize = #index;
+                #kinks
 
                 fn zeros() -> ([T; #n], [[T; #n]; #n]) {
                     let zero = T::constant(0.0);

@@ -9,7 +9,6 @@ use super::rows::WIDTH;
 use super::rows::all;
 use crate::description::Unknown;
 use crate::description::Variable;
-use crate::newton::rate::most_enough;
 use crate::settings::AT_ROUNDING;
 use crate::settings::LEFTOVER;
 use crate::settings::NOTHING;
@@ -65,13 +64,13 @@ pub(crate) fn scales(blocks: &[Unknown], state: &[Row], x: &[Row]) -> Vec<Row> {
 }
 
 /// Limits for the first correction, as the second tells: Newton's method converges quadratically, and had all of the
-/// first been smaller by a factor, the second would have been by its square.
+/// first been smaller by a factor, the second would have been by its square. They are no larger a part of the scales than `most`.
 pub(crate) fn limits(
     blocks: &[Unknown],
     scales: &[Row],
     first: &[Row],
     second: &[Row],
-    tolerance: f64,
+    most: f64,
 ) -> Vec<Row> {
     let least = LEFTOVER * f64::EPSILON;
     let mut square = all(LEFTOVER);
@@ -97,8 +96,7 @@ pub(crate) fn limits(
         let mut limit = largest(&first[offset..offset + block.len]);
         let scale = scales[offset];
         for i in 0..WIDTH {
-            let most = most_enough(tolerance) * scale[i];
-            limit[i] = f64::min(limit[i] * square[i].sqrt(), most);
+            limit[i] = f64::min(limit[i] * square[i].sqrt(), most * scale[i]);
         }
         limits.resize(offset + block.len, limit);
     }

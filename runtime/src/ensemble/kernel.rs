@@ -145,6 +145,8 @@ pub(crate) trait Kernel: Sync {
     fn states(&self) -> &'static [Variable];
     /// Some of the state follows from unknowns that are not its own.
     fn follows(&self) -> bool;
+    /// See [`System::HAS_KINKS`].
+    fn has_kinks(&self) -> bool;
     /// Corrections are in closed form; without, every trajectory goes alone.
     fn has_correction(&self) -> bool;
     /// Overwrites `out` with the scene of one trajectory.
@@ -222,6 +224,10 @@ impl<S: Wide + 'static> Kernel for Emitted<S> {
 
     fn follows(&self) -> bool {
         follows::<Core<S, f64>, f64>()
+    }
+
+    fn has_kinks(&self) -> bool {
+        Core::<S, f64>::HAS_KINKS
     }
 
     fn has_correction(&self) -> bool {

@@ -52,6 +52,20 @@ fn failures_name_time_and_equation() {
 }
 
 #[test]
+fn what_has_too_few_digits_is_named() {
+    assert_eq!(
+        message(Failure::Loose, Place::Unknown(1), 2.6e-10, 50),
+        "step 17 at t = 0.17: unknown ω[k+1] is not known: the equations hold to rounding, and that moves it by 2.6e-10 of its \
+         size"
+    );
+    assert_eq!(
+        message(Failure::Unresolved, Place::Equation(1), 0.0, 3),
+        "step 17 at t = 0.17: rounding of the unknowns changes equation 2, `der(ω) + c*sin(θ[k+1/2]) = 0` (line 8): they are \
+         too large for numbers of so few digits"
+    );
+}
+
+#[test]
 fn what_is_undetermined_is_named() {
     assert_eq!(
         message(Failure::Undetermined, Place::State(0), 3.21e7, 3),
@@ -126,5 +140,9 @@ fn runs_start_with_finite_numbers_only() {
     assert_eq!(
         refused(ok, ok, ok, nan),
         "start time is NaN, expected a finite number"
+    );
+    assert_eq!(
+        refused(ok, ok, 1e-3, 1e16),
+        "a step of 0.001 does not change the start time 1e16: it is less than rounding of it"
     );
 }

@@ -28,9 +28,13 @@ pub(crate) fn is_settled<T: Real>(e: T, before: T, tolerance: T) -> bool {
 
 /// The largest part of what it corrects that a correction may be without another to tell how fast they shrink. Equations that
 /// were linear need not stay so: a curvature of 1, where convergence was measured with less, leaves a tenth of the tolerance.
+/// A kink on the way to the solution would leave a share of the correction itself.
 #[inline]
-pub(crate) fn most_enough<T: Real>(tolerance: T) -> T {
-    (T::constant(RATE_MARGIN) * tolerance).sqrt()
+pub(crate) fn most_enough<T: Real>(tolerance: T, has_kinks: bool) -> T {
+    match has_kinks {
+        true => tolerance,
+        false => (T::constant(RATE_MARGIN) * tolerance).sqrt(),
+    }
 }
 
 /// The part of what it corrects up to which a first correction is usual, whatever the one of the step before.

@@ -11,6 +11,7 @@ use super::rate::most_harmless;
 use super::relative_size;
 use super::scales;
 use super::subtract;
+use crate::description::Unknown;
 use crate::error::Failure;
 use crate::error::Fault;
 use crate::error::Place;
@@ -23,6 +24,7 @@ use crate::report::Success;
 use crate::scalar::Real;
 use crate::scalar::first_not_finite;
 use crate::scalar::largest_of;
+use crate::sensitivity::follows;
 use crate::settings::AT_ROUNDING;
 use crate::settings::LEFTOVER;
 use crate::settings::ROUNDING;
@@ -62,7 +64,7 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
             Ok(report) => Ok((self.x, report)),
             Err(failure) => {
                 self.trust = 0;
-                Err(self.fault(failure))
+                Err(self.loose(known).unwrap_or_else(|| self.fault(failure)))
             }
         }
     }
@@ -99,6 +101,7 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
             let tolerance = self.settings.tolerance;
             if self.history.iterations() >= 2
                 && self.settings.is_above_rounding()
+                && !S::HAS_KINKS
                 && is_last(progress.size, before, tolerance)
             {
                 return Ok(self.report(Success::Converged));
@@ -111,7 +114,9 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
             }
             if progress.shrinking {
                 growths = 0;
-            } else if self.residual_is_rounding(known) && self.is_determined(&correction, known) {
+            } else if self.residual_is_rounding(known)
+                && self.undetermined(&correction, known).is_none()
+            {
                 return Ok(self.report(Success::AtFloor));
             } else {
                 growths += 1;
@@ -165,7 +170,7 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
                 *harmless = most_harmless::<T>() * scale;
             }
             let limit = square.sqrt() * largest_of(self.previous.as_ref(), &unknowns);
-            let most = most_enough(self.settings.tolerance) * scale;
+            let most = most_enough(self.settings.tolerance, S::HAS_KINKS) * scale;
             let limit = if limit > most { most } else { limit };
             let limits = enough.as_mut().iter_mut().zip(part.as_mut());
             for (enough, part) in limits.take(unknowns.end).skip(unknowns.start) {
@@ -257,19 +262,41 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
             .all(|(r, row)| r.abs() <= digits * self.terms(row, known))
     }
 
-    /// Whether every block is known to ten digits, or what it is corrected by is rounding to every equation: an unknown that
-    /// is small among large terms has fewer digits and needs no more.
-    fn is_determined(&self, correction: &S::Unknowns, known: &[T]) -> bool {
+    /// The first block that is not known to ten digits, although what it is corrected by is more than rounding to an equation: an
+    /// unknown that is small among large terms has fewer digits and needs no more. Nor does one that no state follows from, such as
+    /// the multiplier of a constraint on positions, which has ε/h².
+    fn undetermined(&self, correction: &S::Unknowns, known: &[T]) -> Option<(usize, T)> {
         let digits = most_growth::<T>() * T::EPSILON;
         let rounding = T::constant(ROUNDING) * T::EPSILON;
-        self.blocks(known).all(|(unknowns, scale)| {
+        let follows = follows::<S, T>();
+        let blocks: &[Unknown] = S::UNKNOWNS;
+        let mut pairs = self.blocks(known).zip(blocks);
+        pairs.find_map(|((unknowns, scale), block)| {
             let size = largest_of(correction.as_ref(), &unknowns);
-            size <= digits * scale
+            let leads_nowhere = !block.told && !follows;
+            let is_known = size <= digits * scale
+                || leads_nowhere
                 || self.rows().all(|row| {
                     let own = row.iter().take(unknowns.end).skip(unknowns.start);
                     let felt = own.fold(T::constant(0.0), |sum, entry| sum + entry.abs() * size);
                     felt <= rounding * self.terms(row, known)
-                })
+                });
+            (!is_known).then(|| (unknowns.start, size / scale))
+        })
+    }
+
+    /// What is not known where the equations hold to rounding all the same.
+    #[cold]
+    fn loose(&self, known: &[T]) -> Option<Fault> {
+        let (unknown, part) = match self.residual_is_rounding(known) {
+            true => self.undetermined(&self.previous, known)?,
+            false => return None,
+        };
+        let is_finite = part.is_finite();
+        is_finite.then(|| Fault {
+            failure: Failure::Loose,
+            place: Place::Unknown(unknown),
+            value: part.to_f64(),
         })
     }
 

@@ -66,8 +66,10 @@ fn two_corrections_tell_the_next() {
     // Too far away to tell.
     assert!(!is_settled(1e-9, 0.5, 1e-12));
     // A curvature of 1 leaves the square of a correction.
-    let alone: f64 = most_enough(1e-12);
+    let alone: f64 = most_enough(1e-12, false);
     assert!(alone * alone <= 1.0001e-13 && alone > 1e-7);
+    // A kink leaves a share of it.
+    assert!(most_enough(1e-12, true) <= 1e-12);
 }
 
 #[test]

@@ -16,6 +16,7 @@ use crate::ensemble::rows::zeros;
 use crate::newton::rate::is_last;
 use crate::newton::rate::is_settled;
 use crate::newton::rate::is_telling;
+use crate::newton::rate::most_enough;
 use crate::newton::rate::most_harmless;
 use crate::settings::MOST_GROWTH;
 use crate::settings::MOST_QUICK;
@@ -57,7 +58,7 @@ impl Group<'_> {
     #[cold]
     pub(super) fn correct_again(&mut self) {
         let blocks = self.kernel.blocks();
-        let tolerance = self.fleet.settings.tolerance;
+        let (tolerance, has_kinks) = (self.fleet.settings.tolerance, self.kernel.has_kinks());
         let n = self.start.len();
         let mut open: Mask = core::array::from_fn(|i| self.idle[i] == 0.0 && self.within[i] == 0.0);
         self.look_at_grown(&open);
@@ -100,13 +101,14 @@ impl Group<'_> {
             let now = judge::progress(blocks, &self.state, &last_x, &self.correction, tolerance);
             if round == 2 {
                 let scales = judge::scales(blocks, &self.state, &last_x);
-                let limits = judge::limits(blocks, &scales, &first, &self.correction, tolerance);
+                let most = most_enough(tolerance, has_kinks);
+                let limits = judge::limits(blocks, &scales, &first, &self.correction, most);
                 let telling = core::array::from_fn(|i| open[i] && is_telling(before.size[i]));
                 self.learn(&telling, &limits, &scales);
             }
             let mut accepted = [false; WIDTH];
             for i in 0..WIDTH {
-                let is_last = is_last(now.size[i], before.size[i], tolerance);
+                let is_last = !has_kinks && is_last(now.size[i], before.size[i], tolerance);
                 let is_small = now.converged[i] && now.size[i] <= before.size[i];
                 let is_settled = is_settled(now.size[i], before.size[i], tolerance);
                 let is_within = self.within[i] != 0.0 && is_settled;
