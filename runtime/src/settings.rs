@@ -114,7 +114,7 @@ pub(crate) const MOVES: [f64; 3] = [1.0, -0.618_033_988_749_894_8, 0.414_213_562
 pub(crate) const BLURRED: f64 = 0.125;
 
 /// How many times larger a move is that such a change must not grow with.
-pub(crate) const FAR: f64 = 16.0;
+pub(crate) const FAR: f64 = 1024.0;
 
 /// Growth of a state within which rounding of the unknowns is taken to grow no more on its way to it. Larger notices later what is then
 /// refused; smaller looks more often while a motion sets out.
