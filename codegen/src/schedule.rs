@@ -120,10 +120,14 @@ pub struct Solver {
 impl Solver {
     /// Whether residuals have kinks or jumps.
     pub fn has_kinks(&self) -> bool {
-        let mut values = self.schedule.values.iter();
-        values.any(|value| {
-            let has_kink = matches!(value.op, Op::Call(Elementary::Abs | Elementary::Sign, _));
-            has_kink && value.rate == Rate::Iteration
+        let Schedule {
+            kernels, values, ..
+        } = &self.schedule;
+        let residuals = kernels.iter().filter(|kernel| kernel.name == "residual");
+        let mut computed = residuals.flat_map(|kernel| &kernel.body);
+        computed.any(|value| {
+            let op = &values[value.index()].op;
+            matches!(op, Op::Call(Elementary::Abs | Elementary::Sign, _))
         })
     }
 }

@@ -1,7 +1,8 @@
 //! Steps are right although what was learned from earlier ones no longer holds.
 
 use residua::erased::{AnySolver, Catalogued, Sample};
-use residua::{Fleet, Outcome, Settings};
+use residua::{Fleet, Outcome, Settings, System};
+use residua_models::dsl::spatial_reduced;
 use residua_tests::case::{Case, solver};
 use std::ops::ControlFlow;
 use std::sync::Mutex;
@@ -189,6 +190,17 @@ fn a_kick_is_not_solved_as_what_was_before_it() {
         let pairs = compare(solver, &case, h, &states);
         assert_right(&pairs, &format!("a = {a}, in an ensemble"));
     }
+}
+
+#[test]
+fn equations_with_kinks_are_told_from_others() {
+    // The growth of rounding in an elimination is measured by |x|, which is no kink of theirs.
+    type Core<S> = <S as System<f64>>::Core;
+    assert!(<stop::Increment as System<f64>>::HAS_KINKS);
+    assert!(<Core<stop::Increment> as System<f64>>::HAS_KINKS);
+    assert!(!<rod::Increment as System<f64>>::HAS_KINKS);
+    assert!(!<Core<rod::Increment> as System<f64>>::HAS_KINKS);
+    assert!(!<Core<spatial_reduced::Increment> as System<f64>>::HAS_KINKS);
 }
 
 #[test]
