@@ -116,6 +116,8 @@ pub enum Elementary {
     Abs,
     /// sign x, 0 at 0
     Sign,
+    /// max(x, 0)
+    Positive,
     /// x^y for an exponent that is not an integer
     Power,
     /// cₙ(s) = Σ (−s)^j / (n + 2j)!
@@ -124,7 +126,7 @@ pub enum Elementary {
 
 impl Elementary {
     /// Those of one argument, but [`Elementary::Stumpff`], which are many.
-    pub const UNARY: [Elementary; 14] = [
+    pub const UNARY: [Elementary; 15] = [
         Elementary::Sin,
         Elementary::Cos,
         Elementary::Tan,
@@ -139,6 +141,7 @@ impl Elementary {
         Elementary::Sqrt,
         Elementary::Abs,
         Elementary::Sign,
+        Elementary::Positive,
     ];
 }
 

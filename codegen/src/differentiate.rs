@@ -137,6 +137,11 @@ fn partial(dag: &mut Dag, function: Elementary, arguments: &[NodeId], i: usize) 
         }
         Elementary::Abs => dag.call(Elementary::Sign, vec![x]),
         Elementary::Sign => dag.integer(0),
+        Elementary::Positive => {
+            let sign = dag.call(Elementary::Sign, vec![x]);
+            let twice = dag.add(one, sign);
+            dag.scale(BigRational::new(1.into(), 2.into()), twice)
+        }
         Elementary::Power => power_partial(dag, arguments[0], arguments[1], i),
         Elementary::Stumpff(n) => {
             let terms = [

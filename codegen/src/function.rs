@@ -33,6 +33,10 @@ pub enum Function {
     Abs,
     /// `sign(x)`: −1, 0 or 1; the derivative of `abs`.
     Sign,
+    /// `max(a, b)`, the larger.
+    Max,
+    /// `min(a, b)`, the smaller.
+    Min,
     /// `sinc(x) = sin(x)/x`, 1 at 0.
     Sinc,
     /// `cosc(x) = (1 − cos(x))/x²`, 1/2 at 0.
@@ -88,6 +92,8 @@ pub const TABLE: &[(&str, Function, usize)] = &[
     ("sqrt", Function::Sqrt, 1),
     ("abs", Function::Abs, 1),
     ("sign", Function::Sign, 1),
+    ("max", Function::Max, 2),
+    ("min", Function::Min, 2),
     ("sinc", Function::Sinc, 1),
     ("cosc", Function::Cosc, 1),
     ("stumpff", Function::Stumpff, 2),

@@ -12,9 +12,11 @@
 //! |---|---|
 //! | merging, cancelling, reordering of terms and factors | no: the rounding changes, the value does not |
 //! | taking out ±1 and powers of two | yes |
+//! | `abs(x) + x = 2 max(x, 0)`, `x + max(−x, 0) = max(x, 0)`, … | yes |
 //! | `sqrt(x)^2 = x`, `sin(−x) = −sin x`, `sin 0 = 0`, … | in exact arithmetic |
 
 mod calls;
+mod one_sided;
 
 use crate::dag::Dag;
 use crate::dag::Elementary;
@@ -112,6 +114,12 @@ impl Dag {
 
     /// Σ cᵢ nᵢ
     pub fn sum(&mut self, terms: impl IntoIterator<Item = (BigRational, NodeId)>) -> NodeId {
+        let terms: Vec<_> = terms.into_iter().collect();
+        if let [a, b] = terms.as_slice()
+            && let Some(folded) = self.one_sided(a, b).or_else(|| self.one_sided(b, a))
+        {
+            return folded;
+        }
         let one = self.integer(1);
         let mut collected: Vec<(BigRational, NodeId)> = Vec::new();
         for (outer, id) in terms {

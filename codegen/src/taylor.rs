@@ -182,6 +182,9 @@ fn refusal(function: Elementary) -> String {
     match function {
         Elementary::Abs => "abs(x) has a kink at x = 0, which a Taylor series does not see".into(),
         Elementary::Sign => "sign(x) jumps at x = 0, which a Taylor series does not see".into(),
+        Elementary::Positive => {
+            "max(x, 0) has a kink at x = 0, which a Taylor series does not see".into()
+        }
         Elementary::Stumpff(_) => {
             "sinc, cosc, stumpff, and exp, dexp and dexpinv of a 3×3 matrix have no recurrence"
                 .into()

@@ -272,7 +272,11 @@ fn what_has_no_series_says_why() {
             .unwrap()
             .to_string()
     };
-    for (flow, word) in [("abs(x)", "kink"), ("sign(x)", "jumps")] {
+    for (flow, word) in [
+        ("abs(x)", "kink"),
+        ("sign(x)", "jumps"),
+        ("max(x, 1)", "kink"),
+    ] {
         let code = text(flow);
         assert!(
             code.contains(word) && !code.contains("mod series"),

@@ -113,7 +113,7 @@ impl<const N: usize> Scalar for Lanes<N> {
         sin / cos
     }
 
-    lane_by_lane! { asin acos atan sinh cosh tanh exp ln sqrt abs }
+    lane_by_lane! { asin acos atan sinh cosh tanh exp ln sqrt abs positive }
 
     #[inline(always)]
     fn atan2(self, x: Self) -> Self {

@@ -201,7 +201,7 @@ impl<T: Scalar, const N: usize> Scalar for Each<T, N> {
         Self([T::constant(value); N])
     }
 
-    each! { sin cos tan asin acos atan sinh cosh tanh exp ln sqrt abs sign }
+    each! { sin cos tan asin acos atan sinh cosh tanh exp ln sqrt abs sign positive }
 
     fn atan2(self, x: Self) -> Self {
         self.with(x, Scalar::atan2)

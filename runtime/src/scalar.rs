@@ -52,6 +52,10 @@ pub trait Scalar:
     fn abs(self) -> Self;
     /// −1, 0 or 1; NaN for NaN.
     fn sign(self) -> Self;
+    /// max(x, 0); NaN for NaN. By default (x + |x|)/2, which is exact up to half the largest number.
+    fn positive(self) -> Self {
+        Self::constant(0.5) * (self + self.abs())
+    }
     /// x^y
     fn powf(self, exponent: Self) -> Self;
     /// The Stumpff function cₙ(s) = Σ (−s)^j / (n + 2j)! of s = self, the small-angle family: c₀(x²) = cos x,
@@ -101,3 +105,6 @@ pub(crate) fn first_not_finite<T: Real>(values: &[T]) -> Option<(usize, f64)> {
     let position = values.iter().position(|value| !value.is_finite())?;
     Some((position, values[position].to_f64()))
 }
+
+#[cfg(test)]
+mod tests;

@@ -33,6 +33,7 @@ const fn mutation(
 const DERIVATIVES: &str = "codegen/src/differentiate.rs";
 const NORMAL: &str = "codegen/src/normal.rs";
 const CALLS: &str = "codegen/src/normal/calls.rs";
+const ONE_SIDED: &str = "codegen/src/normal/one_sided.rs";
 const THOROUGH: &str = "runtime/src/newton/thorough.rs";
 const NEWTON: &str = "runtime/src/newton.rs";
 const RATE: &str = "runtime/src/newton/rate.rs";
@@ -66,6 +67,7 @@ pub const ALL: &[Mutation] = &[
     mutation("√' = 1/(2√)", DERIVATIVES, "dag.scale(BigRational::new(1.into(), 2.into()), inverse)", "inverse"),
     mutation("abs' = sign", DERIVATIVES, "Elementary::Abs => dag.call(Elementary::Sign, vec![x])", "Elementary::Abs => one"),
     mutation("sign' = 0", DERIVATIVES, "Elementary::Sign => dag.integer(0)", "Elementary::Sign => dag.integer(1)"),
+    mutation("max(x, 0)' = (1 + sign)/2", DERIVATIVES, "let twice = dag.add(one, sign);", "let twice = dag.sub(one, sign);"),
     mutation("∂x^y/∂x = y x^(y−1)", DERIVATIVES, "let lower = dag.sub(y, one);", "let lower = dag.add(y, one);"),
     mutation("∂x^y/∂y = x^y ln x", DERIVATIVES, "dag.mul(power, log)", "power"),
     mutation("cₙ' has the term n/2 cₙ₊₂", DERIVATIVES, "BigRational::new(n.into(), 2.into())", "BigRational::new(n.into(), 3.into())"),
@@ -98,9 +100,15 @@ pub const ALL: &[Mutation] = &[
     mutation("roots of squares are exact", CALLS, "(&root * &root == *x).then_some(root)", "Some(root)"),
     mutation("abs of a number", CALLS, "Elementary::Abs => Some(x.abs())", "Elementary::Abs => Some(x.clone())"),
     mutation("sign of a number", CALLS, "Elementary::Sign => Some(x.signum())", "Elementary::Sign => Some(x.abs())"),
+    mutation("max(x, 0) of a number", CALLS, "Elementary::Positive => Some(x.max(&BigRational::zero()).clone())", "Elementary::Positive => Some(x.clone())"),
     mutation("cₙ(0) = 1/n!", CALLS, "(1..=n).map(BigInt::from).product()", "(1..n).map(BigInt::from).product()"),
     mutation("sin and cos at quarter turns", CALLS, "let shift = if function == Elementary::Sin { 0 } else { 1 };", "let shift = if function == Elementary::Sin { 0 } else { 3 };"),
     mutation("content takes a common factor, not any", NORMAL, "small.iter().fold(0, |g, t| t.0.gcd(&g))", "small.iter().fold(0, |g, t| t.0.max(g))"),
+    mutation("what vanishes on one side is one function", NORMAL, "self.one_sided(a, b).or_else(|| self.one_sided(b, a))", "self.one_sided(a, b)"),
+    mutation("abs(x) + x = 2 max(x, 0)", ONE_SIDED, "times(&rational(2), factor)", "factor"),
+    mutation("abs(x) − x = 2 max(−x, 0)", ONE_SIDED, "if is_same { x } else { self.neg(x) }", "x"),
+    mutation("max(x, 0) + x is no function of one side", ONE_SIDED, "(Elementary::Positive, false) => factor", "(Elementary::Positive, _) => factor"),
+    mutation("x and f(x) of one function of one side have one factor", ONE_SIDED, "(left.abs() == right.abs()).then(|| left == right)", "Some(left == right)"),
     // Newton's method: how each outcome is reached.
     mutation("a correction is subtracted", NEWTON, "*x = *x - *correction;", "*x = *x + *correction;"),
     mutation("quick corrections must be enough", NEWTON, "all & (c.abs() <= *enough)", "all | (c.abs() <= *enough)"),

@@ -234,6 +234,7 @@ impl Number for Dual {
             (Elementary::Sqrt, _) => x.chain(value, one / (two * value)),
             (Elementary::Abs, _) => x.chain(value, Scalar::sign(a)),
             (Elementary::Sign, _) => x.chain(value, Double::from(0.0)),
+            (Elementary::Positive, _) => x.chain(value, (one + Scalar::sign(a)) / two),
             (Elementary::Stumpff(n), _) => {
                 // By the quotient that defines it away from 0: s cₙ'(s) = (cₙ₋₁ − n cₙ)/2, and for n = 0 −c₁/2.
                 let slope = match n {

@@ -103,6 +103,11 @@ impl Typing<'_> {
                 Type::scalar(self.raised(unit, Ratio::new_raw(1, 2)))
             }
             Function::Abs => Type::scalar(self.scalar(call, args[0])?),
+            Function::Max | Function::Min => {
+                let units = [self.scalar(call, args[0])?, self.scalar(call, args[1])?];
+                let what = format!("the arguments of {}", call.function.name());
+                Type::scalar(self.one_unit(&units, range, &what))
+            }
             Function::Sign => {
                 self.scalar(call, args[0])?;
                 Type::scalar(one)

@@ -30,6 +30,10 @@ const ALIASES: &[(&str, &str)] = &[
     ("transpose", "A.T"),
     ("inverse", "inv(A)"),
     ("pow", "x^n"),
+    ("maximum", "max(a, b)"),
+    ("minimum", "min(a, b)"),
+    ("fmax", "max(a, b)"),
+    ("fmin", "min(a, b)"),
     ("expm", "exp(A)"),
 ];
 
@@ -41,8 +45,6 @@ const CONDITIONALS: &[(&str, &str)] = &[
     ("select", ""),
     ("piecewise", ""),
     ("heaviside", "; heaviside(x) is (1 + sign(x))/2"),
-    ("min", "; min(a, b) is (a + b - abs(a - b))/2"),
-    ("max", "; max(a, b) is (a + b + abs(a - b))/2"),
 ];
 
 impl Typing<'_> {
@@ -229,7 +231,8 @@ impl Typing<'_> {
             .iter()
             .map(|row| row.0)
             .filter(|f| f.len() > 1 && close(f));
-        let similar = most_similar(&name.ascii, functions.map(|f| (f, f)), 0.0);
+        let lower = name.ascii.to_lowercase();
+        let similar = most_similar(&lower, functions.map(|f| (f, f)), 0.0);
         let similar = similar.or_else(|| self.symbols.similar(name));
         let help = similar.map(|similar| format!("did you mean `{similar}`?"));
         self.fail_once(key, range, message, help)

@@ -64,6 +64,8 @@ pub(super) fn call(function: Elementary, x: f64, y: f64) -> f64 {
         Elementary::Abs => x.abs(),
         Elementary::Sign if x == 0.0 => 0.0,
         Elementary::Sign => x.signum(),
+        Elementary::Positive if x <= 0.0 => 0.0,
+        Elementary::Positive => x,
         Elementary::Power => x.powf(y),
         Elementary::Stumpff(n) => stumpff(n, x),
     }

@@ -27,7 +27,10 @@ impl Dag {
             Node::Constant(value) => !value.is_negative(),
             Node::Pi => true,
             Node::Product(factors) => factors.iter().all(|(_, exponent)| exponent % 2 == 0),
-            Node::Call(Elementary::Exp | Elementary::Cosh | Elementary::Abs, _) => true,
+            Node::Call(
+                Elementary::Exp | Elementary::Cosh | Elementary::Abs | Elementary::Positive,
+                _,
+            ) => true,
             Node::Leaf(_) | Node::Sum(_) | Node::Call(..) => false,
         }
     }

@@ -92,8 +92,8 @@ fn write(node: &Node, texts: &[Text], name: &impl Fn(Leaf) -> String) -> Text {
                 .iter()
                 .map(|a| texts[a.index()].text.clone())
                 .collect();
-            let open = opening(*function);
-            Text::atom(format!("{open}{})", arguments.join(", ")))
+            let (open, close) = (opening(*function), closing(*function));
+            Text::atom(format!("{open}{}{close}", arguments.join(", ")))
         }
     }
 }
@@ -213,7 +213,16 @@ fn opening(function: Elementary) -> String {
         Elementary::Sqrt => "sqrt(".into(),
         Elementary::Abs => "abs(".into(),
         Elementary::Sign => "sign(".into(),
+        Elementary::Positive => "max(".into(),
         Elementary::Power => "(".into(),
         Elementary::Stumpff(n) => format!("stumpff({n}, "),
+    }
+}
+
+/// What stands behind them.
+fn closing(function: Elementary) -> &'static str {
+    match function {
+        Elementary::Positive => ", 0)",
+        _ => ")",
     }
 }

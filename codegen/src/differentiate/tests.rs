@@ -88,3 +88,15 @@ fn derivative_of_a_nested_graph_is_linear_in_its_size() {
         "{sizes:?}"
     );
 }
+
+/// As `abs` has the mean of its slopes at its kink, so has max(x, 0).
+#[test]
+fn slopes_beside_and_at_the_kink() {
+    let mut dag = Dag::new();
+    let x = dag.leaf(Leaf::Unknown(0));
+    let positive = dag.call(Elementary::Positive, vec![x]);
+    let entries = differentiate(&mut dag, &[positive], 1);
+    for (at, slope) in [(-1e-300, 0.0), (0.0, 0.5), (1e-300, 1.0)] {
+        assert_eq!(dag.evaluate(|_| at)[entries[0].node.index()], slope);
+    }
+}

@@ -166,6 +166,7 @@ pub(super) fn method(function: Elementary) -> &'static str {
         Elementary::Sqrt => "sqrt",
         Elementary::Abs => "abs",
         Elementary::Sign => "sign",
+        Elementary::Positive => "positive",
         Elementary::Power => "powf",
         Elementary::Stumpff(_) => "stumpff",
     }

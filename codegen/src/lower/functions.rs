@@ -38,6 +38,8 @@ pub fn apply(dag: &mut Dag, function: Function, arguments: &[Matrix]) -> Result<
         Function::Sqrt => scalar(dag, Elementary::Sqrt),
         Function::Abs => scalar(dag, Elementary::Abs),
         Function::Sign => scalar(dag, Elementary::Sign),
+        Function::Max => Ok(largest(dag, arguments)),
+        Function::Min => Ok(smallest(dag, arguments)),
         Function::Exp if first.shape.is_scalar() => scalar(dag, Elementary::Exp),
         Function::Exp => axis(dag, "exp", first).map(|v| exponential(dag, &v)),
         Function::Cay => axis(dag, "cay", first).map(|v| cayley(dag, &v)),
@@ -81,6 +83,26 @@ pub fn apply(dag: &mut Dag, function: Function, arguments: &[Matrix]) -> Result<
 
 /// Highest order of `stumpff` that a model may write; derivatives raise it further.
 const HIGHEST_ORDER: u32 = 16;
+
+/// max(a, b) = b + max(a − b, 0)
+fn largest(dag: &mut Dag, arguments: &[Matrix]) -> Matrix {
+    let b = arguments[1].entries[0];
+    let excess = excess(dag, arguments);
+    Matrix::scalar(dag.add(b, excess))
+}
+
+/// min(a, b) = a − max(a − b, 0)
+fn smallest(dag: &mut Dag, arguments: &[Matrix]) -> Matrix {
+    let a = arguments[0].entries[0];
+    let excess = excess(dag, arguments);
+    Matrix::scalar(dag.sub(a, excess))
+}
+
+/// max(a − b, 0)
+fn excess(dag: &mut Dag, arguments: &[Matrix]) -> NodeId {
+    let difference = dag.sub(arguments[0].entries[0], arguments[1].entries[0]);
+    dag.call(Elementary::Positive, vec![difference])
+}
 
 /// cₙ(x²)
 fn small_angle(dag: &mut Dag, n: u32, x: NodeId) -> Matrix {

@@ -70,6 +70,7 @@ impl Dag {
             Elementary::Sqrt => exact_root(x),
             Elementary::Abs => Some(x.abs()),
             Elementary::Sign => Some(x.signum()),
+            Elementary::Positive => Some(x.max(&BigRational::zero()).clone()),
             Elementary::Power => None,
             Elementary::Stumpff(n) => x.is_zero().then(|| inverse_factorial(n)),
         }
@@ -137,6 +138,7 @@ fn parity(function: Elementary) -> Parity {
         | Elementary::Exp
         | Elementary::Log
         | Elementary::Sqrt
+        | Elementary::Positive
         | Elementary::Power
         | Elementary::Stumpff(_) => Parity::Neither,
     }

@@ -96,6 +96,59 @@ fn towers_of_powers_stay_bounded() {
     assert_eq!(dag.verify(), Ok(()));
 }
 
+/// |x| ± x and max(x, 0) − x, for x an input, a sum and multiples of it, at any scale and in any order.
+#[test]
+fn one_sided_sums_are_one_function() {
+    let mut dag = Dag::new();
+    let (a, b) = (x(&mut dag, 0), x(&mut dag, 1));
+    let difference = dag.sub(a, b);
+    let scaled = dag.scale(ratio(7, 10), difference);
+    let (minus_a, minus) = (dag.neg(a), dag.neg(scaled));
+    for x in [a, minus_a, difference, scaled, minus] {
+        let opposite = dag.neg(x);
+        let abs = dag.call(Elementary::Abs, vec![x]);
+        let [above, below] = [x, opposite].map(|x| dag.call(Elementary::Positive, vec![x]));
+        for scale in [ratio(1, 2), ratio(-1, 2), ratio(-3, 7)] {
+            let twice = &scale * rational(2);
+            let folds = [
+                (abs, 1, (twice.clone(), above)),
+                (abs, -1, (twice, below)),
+                (above, -1, (scale.clone(), below)),
+                (below, 1, (scale.clone(), above)),
+            ];
+            for (f, sign, (factor, expected)) in folds {
+                let terms = [(scale.clone(), f), (&scale * rational(sign), x)];
+                let expected = dag.scale(factor, expected);
+                assert_eq!(dag.sum(terms.clone()), expected);
+                assert_eq!(dag.sum(terms.into_iter().rev()), expected);
+            }
+        }
+    }
+    assert_eq!(dag.verify(), Ok(()));
+}
+
+#[test]
+fn other_sums_with_one_sided_parts_stay_sums() {
+    let mut dag = Dag::new();
+    let (a, b) = (x(&mut dag, 0), x(&mut dag, 1));
+    let abs = dag.call(Elementary::Abs, vec![a]);
+    let positive = dag.call(Elementary::Positive, vec![a]);
+    let sin = dag.call(Elementary::Sin, vec![a]);
+    let twice = dag.scale(rational(2), a);
+    let others = [
+        (abs, b),
+        (abs, twice),
+        (positive, a),
+        (positive, b),
+        (sin, a),
+    ];
+    for (f, x) in others {
+        let sum = dag.add(f, x);
+        assert_eq!(dag.sub(sum, x), f);
+        assert!(matches!(dag.node(sum), Node::Sum(terms) if terms.len() == 2));
+    }
+}
+
 /// A chain in which each sum contains the one before must not cost the square of its length.
 #[test]
 fn chains_of_sums_stay_linear() {

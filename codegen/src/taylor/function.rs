@@ -55,7 +55,7 @@ impl Builder {
                 let opposite = self.dag.neg(newest);
                 self.with_quotient(id, opposite, root)
             }
-            Elementary::Abs | Elementary::Sign | Elementary::Stumpff(_) => {
+            Elementary::Abs | Elementary::Sign | Elementary::Positive | Elementary::Stumpff(_) => {
                 return Err(refusal(function));
             }
             Elementary::Atan2 | Elementary::Power => unreachable!("functions of two arguments"),

@@ -167,7 +167,7 @@ fn every_lane_is_computed_as_if_alone() {
     let y = Lanes([1.1, 0.4, -0.0, -3.0]);
     type Function = fn(f64, f64) -> f64;
     type OnLanes = fn(Lanes<4>, Lanes<4>) -> Lanes<4>;
-    let functions: [(&str, Function, OnLanes); 14] = [
+    let functions: [(&str, Function, OnLanes); 15] = [
         ("+", |a, b| a + b, |a, b| a + b),
         ("-", |a, b| a - b, |a, b| a - b),
         ("*", |a, b| a * b, |a, b| a * b),
@@ -176,6 +176,7 @@ fn every_lane_is_computed_as_if_alone() {
         ("sqrt", |a, _| Scalar::sqrt(a), |a, _| a.sqrt()),
         ("abs", |a, _| Scalar::abs(a), |a, _| a.abs()),
         ("sign", |a, _| Scalar::sign(a), |a, _| a.sign()),
+        ("positive", |a, _| Scalar::positive(a), |a, _| a.positive()),
         ("exp", |a, _| Scalar::exp(a), |a, _| a.exp()),
         ("ln", |a, _| Scalar::ln(a), |a, _| a.ln()),
         ("atan", |a, _| Scalar::atan(a), |a, _| a.atan()),

@@ -84,6 +84,10 @@ macro_rules! real {
                 }
             }
             #[inline]
+            fn positive(self) -> Self {
+                if self <= 0.0 { 0.0 } else { self }
+            }
+            #[inline]
             fn powf(self, exponent: Self) -> Self {
                 Float::powf(self, exponent)
             }

@@ -162,6 +162,7 @@ impl Number for Double {
             Elementary::Sqrt => Scalar::sqrt(x),
             Elementary::Abs => Scalar::abs(x),
             Elementary::Sign => Scalar::sign(x),
+            Elementary::Positive => Scalar::positive(x),
             Elementary::Power => Scalar::powf(x, y),
             Elementary::Stumpff(n) => Scalar::stumpff(x, n),
         }
