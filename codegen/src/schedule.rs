@@ -127,7 +127,10 @@ impl Solver {
         let mut computed = residuals.flat_map(|kernel| &kernel.body);
         computed.any(|value| {
             let op = &values[value.index()].op;
-            matches!(op, Op::Call(Elementary::Abs | Elementary::Sign, _))
+            matches!(
+                op,
+                Op::Call(Elementary::Abs | Elementary::Sign | Elementary::Positive, _)
+            )
         })
     }
 }

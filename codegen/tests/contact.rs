@@ -193,6 +193,20 @@ fn every_way_is_emitted_as_the_same_function() {
     }
 }
 
+/// Newton's method has to know: in either form, of all unknowns and of what is iterated on.
+#[test]
+fn every_way_is_emitted_as_a_kink() {
+    let kinks = |text: &str| {
+        let code = compile("contact", lex(text).expect("lexes"));
+        let code = code.unwrap_or_else(|errors| panic!("{errors}")).to_string();
+        code.matches("HAS_KINKS : bool = true").count()
+    };
+    for text in ways() {
+        assert_eq!(kinks(&text), 4, "{text}");
+    }
+    assert_eq!(kinks(&model("", "0")), 0);
+}
+
 #[test]
 fn what_is_one_function_is_printed_so_and_reads_back() {
     let ways = [

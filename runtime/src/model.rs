@@ -147,7 +147,7 @@ pub trait System<T: Scalar> {
     const HAS_CORE: bool = false;
     /// Index in [`Description::solvers`].
     const SOLVER: usize;
-    /// r has kinks or jumps, `abs` or `sign` of something that depends on x.
+    /// r has kinks or jumps, `abs`, `sign` or `positive` of something that depends on x.
     const HAS_KINKS: bool = false;
     /// The blocks of x.
     const UNKNOWNS: &'static [Unknown] =

@@ -109,6 +109,7 @@ pub const ALL: &[Mutation] = &[
     mutation("abs(x) − x = 2 max(−x, 0)", ONE_SIDED, "if is_same { x } else { self.neg(x) }", "x"),
     mutation("max(x, 0) + x is no function of one side", ONE_SIDED, "(Elementary::Positive, false) => factor", "(Elementary::Positive, _) => factor"),
     mutation("x and f(x) of one function of one side have one factor", ONE_SIDED, "(left.abs() == right.abs()).then(|| left == right)", "Some(left == right)"),
+    mutation("max(x, 0) has a kink", "codegen/src/schedule.rs", "Elementary::Abs | Elementary::Sign | Elementary::Positive", "Elementary::Abs | Elementary::Sign"),
     // Newton's method: how each outcome is reached.
     mutation("a correction is subtracted", NEWTON, "*x = *x - *correction;", "*x = *x + *correction;"),
     mutation("quick corrections must be enough", NEWTON, "all & (c.abs() <= *enough)", "all | (c.abs() <= *enough)"),
