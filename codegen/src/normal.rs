@@ -114,12 +114,6 @@ impl Dag {
 
     /// Σ cᵢ nᵢ
     pub fn sum(&mut self, terms: impl IntoIterator<Item = (BigRational, NodeId)>) -> NodeId {
-        let terms: Vec<_> = terms.into_iter().collect();
-        if let [a, b] = terms.as_slice()
-            && let Some(folded) = self.one_sided(a, b).or_else(|| self.one_sided(b, a))
-        {
-            return folded;
-        }
         let one = self.integer(1);
         let mut collected: Vec<(BigRational, NodeId)> = Vec::new();
         for (outer, id) in terms {
@@ -135,6 +129,9 @@ impl Dag {
             }
         }
         terms.retain(|(coefficient, _)| !coefficient.is_zero());
+        if let Some(folded) = self.one_sided(&terms, one) {
+            return folded;
+        }
         match terms.as_slice() {
             [] => self.integer(0),
             [(coefficient, id)] if *id == one => self.constant(coefficient.clone()),

@@ -183,9 +183,19 @@ fn below_it_the_force_is_that_of_a_spring() {
     }
 }
 
+/// The same with other terms between.
+fn apart() -> Vec<String> {
+    let forces = [
+        "kk*(abs(e - x[k+1/2]) - x[k+1/2] + e)/2",
+        "kk*(g*h^2 + 0.7*e + 0.7*abs(x[k+1/2] - e) - 0.7*x[k+1/2])/2",
+        "kk*(v*h + max(x[k+1/2] - e, 0) - x[k+1/2] + e)",
+    ];
+    forces.map(|force| model("", force)).to_vec()
+}
+
 #[test]
 fn every_way_is_emitted_as_the_same_function() {
-    for text in ways() {
+    for text in ways().into_iter().chain(apart()) {
         let code = compile("contact", lex(&text).expect("lexes"));
         let code = code.unwrap_or_else(|errors| panic!("{errors}")).to_string();
         assert!(code.contains(". positive ()"), "{text}");

@@ -12,45 +12,76 @@ use crate::dag::Elementary;
 use crate::dag::Node;
 use crate::dag::NodeId;
 use num_rational::BigRational;
-use num_traits::Signed;
+
+/// `factor` max(±x, 0)
+struct Side {
+    factor: BigRational,
+    x: NodeId,
+    /// It is that of x, not of −x.
+    is_same: bool,
+    /// The terms that it is made of.
+    used: Vec<NodeId>,
+}
 
 impl Dag {
-    /// c f(x) ± c x in one term, if that is what `call` and `other` are.
+    /// The sum of merged terms, if some of them are c f(x) ± c x: with these in one term.
     pub(super) fn one_sided(
         &mut self,
-        call: &(BigRational, NodeId),
-        other: &(BigRational, NodeId),
+        terms: &[(BigRational, NodeId)],
+        one: NodeId,
     ) -> Option<NodeId> {
-        let (inner, core) = self.split_coefficient(call.1);
-        let Node::Call(function, arguments) = self.node(core) else {
-            return None;
-        };
-        let (function, x) = (*function, arguments[0]);
-        let factor = times(&call.0, inner);
-        let is_same = self.is_same_side(&factor, x, other)?;
-        let factor = match (function, is_same) {
-            (Elementary::Abs, _) => times(&rational(2), factor),
-            (Elementary::Positive, false) => factor,
-            _ => return None,
-        };
+        let found = terms
+            .iter()
+            .find_map(|term| self.one_side(term, terms, one));
+        let Side {
+            factor,
+            x,
+            is_same,
+            used,
+        } = found?;
+        let others = terms.iter().filter(|term| !used.contains(&term.1));
+        let mut rest: Vec<_> = others.cloned().collect();
         let side = if is_same { x } else { self.neg(x) };
-        let positive = self.call(Elementary::Positive, vec![side]);
-        Some(self.scale(factor, positive))
+        rest.push((factor, self.call(Elementary::Positive, vec![side])));
+        Some(self.sum(rest))
     }
 
-    /// True where `other` is `factor` x, false where it is −`factor` x.
-    fn is_same_side(
+    /// If a term is c f(x), and c x or −c x is among the others: what they make.
+    fn one_side(
         &self,
-        factor: &BigRational,
-        x: NodeId,
-        other: &(BigRational, NodeId),
-    ) -> Option<bool> {
-        let (of_x, core) = self.split_coefficient(x);
-        let (of_other, other_core) = self.split_coefficient(other.1);
-        if core != other_core {
+        (factor, call): &(BigRational, NodeId),
+        terms: &[(BigRational, NodeId)],
+        one: NodeId,
+    ) -> Option<Side> {
+        let Node::Call(function, arguments) = self.node(*call) else {
             return None;
+        };
+        let (signs, times_more): (&[i64], i64) = match function {
+            Elementary::Abs => (&[1, -1], 2),
+            Elementary::Positive => (&[-1], 1),
+            _ => return None,
+        };
+        let x = arguments[0];
+        let (coefficient, core) = self.split_coefficient(x);
+        // Merged with others, or by itself.
+        let ways = [self.terms(x, one), vec![(coefficient, core)]];
+        for own in ways {
+            for sign in signs {
+                let signed = times(factor, rational(*sign));
+                let are_there = own
+                    .iter()
+                    .all(|(c, core)| terms.contains(&(times(c, signed.clone()), *core)));
+                if are_there {
+                    let own = own.iter().map(|term| term.1);
+                    return Some(Side {
+                        factor: times(factor, rational(times_more)),
+                        x,
+                        is_same: *sign > 0,
+                        used: own.chain([*call]).collect(),
+                    });
+                }
+            }
         }
-        let (left, right) = (times(factor, of_x), times(&other.0, of_other));
-        (left.abs() == right.abs()).then(|| left == right)
+        None
     }
 }
