@@ -23,8 +23,8 @@ const MOST_GROWTHS: u32 = 2;
 /// Sweeps before they are given up, in double precision: there, Newton's method costs less.
 const MOST_SWEEPS: u32 = 60;
 
-/// Sweeps over which changes are summed up and rates are measured: where positions move momenta and these move positions,
-/// it takes two for an error to come back to where it was.
+/// Sweeps over which changes are summed up and rates are measured: an error may take two to come back to where it was. With one, rates
+/// vary too much to foretell how many sweeps the rest takes.
 const PAIR: u32 = 2;
 
 /// By how much the change of the last sweep may exceed what the rate foretold.
