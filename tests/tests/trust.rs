@@ -195,12 +195,17 @@ fn a_kick_is_not_solved_as_what_was_before_it() {
 #[test]
 fn equations_with_kinks_are_told_from_others() {
     // The growth of rounding in an elimination is measured by |x|, which is no kink of theirs.
-    type Core<S> = <S as System<f64>>::Core;
-    assert!(<stop::Increment as System<f64>>::HAS_KINKS);
-    assert!(<Core<stop::Increment> as System<f64>>::HAS_KINKS);
-    assert!(!<rod::Increment as System<f64>>::HAS_KINKS);
-    assert!(!<Core<rod::Increment> as System<f64>>::HAS_KINKS);
-    assert!(!<Core<spatial_reduced::Increment> as System<f64>>::HAS_KINKS);
+    let has_kinks = [
+        kinks::<stop::Increment>(),
+        kinks::<rod::Increment>(),
+        kinks::<spatial_reduced::Increment>(),
+    ];
+    assert_eq!(has_kinks, [[true; 2], [false; 2], [false; 2]]);
+}
+
+/// Whether a system has kinks, and its core.
+fn kinks<S: System<f64>>() -> [bool; 2] {
+    [S::HAS_KINKS, S::Core::HAS_KINKS]
 }
 
 #[test]
