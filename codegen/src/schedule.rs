@@ -120,13 +120,17 @@ pub struct Solver {
 impl Solver {
     /// Whether residuals have kinks or jumps.
     pub fn has_kinks(&self) -> bool {
-        let Schedule {
-            kernels, values, ..
-        } = &self.schedule;
-        let residuals = kernels.iter().filter(|kernel| kernel.name == "residual");
-        let mut computed = residuals.flat_map(|kernel| &kernel.body);
+        self.schedule.has_kinks("residual")
+    }
+}
+
+impl Schedule {
+    /// Whether what a kernel computes has kinks or jumps.
+    pub fn has_kinks(&self, kernel: &str) -> bool {
+        let kernels = self.kernels.iter().filter(|k| k.name == kernel);
+        let mut computed = kernels.flat_map(|kernel| &kernel.body);
         computed.any(|value| {
-            let op = &values[value.index()].op;
+            let op = &self.values[value.index()].op;
             matches!(
                 op,
                 Op::Call(Elementary::Abs | Elementary::Sign | Elementary::Positive, _)

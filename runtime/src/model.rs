@@ -68,6 +68,8 @@ pub trait Model<T: Scalar> {
 pub trait Flow<T: Scalar>: Model<T> {
     /// What depends on the parameters only, computed once per run.
     type FlowScene: Copy;
+    /// It has kinks or jumps: `abs`, `sign` or `positive` of something that depends on x or t.
+    const FLOW_HAS_KINKS: bool = false;
     /// Computes the scene cache.
     fn flow_scene(parameters: &Self::Parameters) -> Self::FlowScene;
     /// dx/dt at time `t` and state `x`.

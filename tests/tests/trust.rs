@@ -1,9 +1,9 @@
 //! Steps are right although what was learned from earlier ones no longer holds.
 
 use residua::erased::{AnySolver, Catalogued, Sample};
-use residua::{Fleet, Outcome, Settings, System};
+use residua::{Adaptive, Fleet, Model, Outcome, Settings, System, Tolerance, VariableGauss};
 use residua_models::dsl::spatial_reduced;
-use residua_tests::case::{Case, solver};
+use residua_tests::case::{Case, Tested, solver};
 use std::ops::ControlFlow;
 use std::sync::Mutex;
 
@@ -79,6 +79,37 @@ mod stop {
         }
         solve for increment;
         start { x = 1; v = 0; }
+    }
+}
+
+/// A ball on a stiff spring, which it touches for a hundredth of a second.
+mod ball {
+    residua::model! {
+        //! Bouncing ball.
+        param κ = 100000;
+        state x;
+        state v;
+        flow { der(x) = v; der(v) = -9.81 + κ*max(-x, 0); }
+        residual {
+            Δx = h*v[k+1/2];
+            Δv = h*(-9.81 + κ*max(-x[k+1/2], 0));
+        }
+        start { x = 1; v = 0; }
+    }
+}
+
+/// An oscillator with a limit that it does not reach.
+mod limited {
+    residua::model! {
+        //! Limited force.
+        param most = 1;
+        state x;
+        state v;
+        residual {
+            Δx = h*v[k+1/2];
+            Δv = -h*min(max(x[k+1/2], -most), most);
+        }
+        start { x = 0.9; v = 0; }
     }
 }
 
@@ -225,6 +256,45 @@ fn a_kink_between_the_last_iterate_and_the_solution_is_seen() {
         let states = shown.into_inner().expect("no panic");
         let pairs = compare(solver, &case, 0.018, &states);
         assert_right(&pairs, &format!("e = {e}, in an ensemble"));
+    }
+}
+
+#[test]
+fn a_limit_that_is_not_reached_changes_nothing() {
+    let end = |most: f64| {
+        let case = Case::with_parameters(&limited::MODEL, vec![most]);
+        case.last_state(solver(case.model, "increment"), 0.1, 100)
+    };
+    for most in [1e9, 1e17, 1e200] {
+        assert_eq!(end(most), end(1.0), "{most:e}");
+    }
+}
+
+/// The energy after some bounces, of which the estimate of the error sees no more than a kink.
+fn bounced<const S: usize>(tolerance: f64) -> f64 {
+    let parameters = ball::Parameters::default();
+    let start = ball::Model::start(&parameters);
+    let run = Adaptive::<VariableGauss<ball::Model, S, f64>>::new(parameters, start, 1.2);
+    let mut run = run
+        .expect("a run")
+        .with_tolerance(Tolerance::both(tolerance));
+    run.step().expect("a step");
+    let ball::State { x, v } = run.state();
+    let depth = f64::max(-x, 0.0);
+    v * v / 2.0 + 9.81 * x + parameters.kappa * depth * depth / 2.0
+}
+
+#[test]
+fn steps_of_a_tolerance_do_not_pass_over_kinks() {
+    for tolerance in [1e-5, 1e-6, 1e-7, 1e-9] {
+        let energies = [
+            bounced::<3>(tolerance),
+            bounced::<5>(tolerance),
+            bounced::<8>(tolerance),
+        ];
+        for energy in energies {
+            assert!((energy - 9.81).abs() < 5e-3, "{tolerance:e}: {energies:?}");
+        }
     }
 }
 

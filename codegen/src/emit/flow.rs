@@ -25,6 +25,11 @@ pub(super) fn emit(model: &Model, schedule: &Schedule) -> TokenStream {
     let parameters = scene.argument("parameters");
     let [cached, t, state] = ["scene", "t", "state"].map(|name| flow.argument(name));
     let (scene_tokens, flow_tokens, rates) = (&scene.tokens, &flow.tokens, &flow.roots);
+    let kinks = schedule.has_kinks("flow").then(|| {
+        quote!(
+            const FLOW_HAS_KINKS: bool = true;
+        )
+    });
     let allow = allow();
     quote! {
         #allow
@@ -33,6 +38,7 @@ pub(super) fn emit(model: &Model, schedule: &Schedule) -> TokenStream {
 
             impl<T: ::residua::Scalar> ::residua::Flow<T> for super::Model {
                 type FlowScene = #scene_type;
+                #kinks
 
                 fn flow_scene(#parameters: &super::Parameters<T>) -> #scene_type {
                     #scene_tokens

@@ -84,24 +84,38 @@ pub fn apply(dag: &mut Dag, function: Function, arguments: &[Matrix]) -> Result<
 /// Highest order of `stumpff` that a model may write; derivatives raise it further.
 const HIGHEST_ORDER: u32 = 16;
 
-/// max(a, b) = b + max(a − b, 0)
+/// max(a, b), and max(x, 0) as the function that it is.
 fn largest(dag: &mut Dag, arguments: &[Matrix]) -> Matrix {
-    let b = arguments[1].entries[0];
-    let excess = excess(dag, arguments);
-    Matrix::scalar(dag.add(b, excess))
+    let [a, b] = [0, 1].map(|i| arguments[i].entries[0]);
+    let largest = match (dag.is_zero(a), dag.is_zero(b)) {
+        (true, _) => dag.call(Elementary::Positive, vec![b]),
+        (_, true) => dag.call(Elementary::Positive, vec![a]),
+        _ => {
+            let difference = dag.sub(a, b);
+            where_positive(dag, difference, [a, b])
+        }
+    };
+    Matrix::scalar(largest)
 }
 
-/// min(a, b) = a − max(a − b, 0)
+/// min(a, b) = −max(−a, −b)
 fn smallest(dag: &mut Dag, arguments: &[Matrix]) -> Matrix {
-    let a = arguments[0].entries[0];
-    let excess = excess(dag, arguments);
-    Matrix::scalar(dag.sub(a, excess))
+    let negated = [0, 1].map(|i| Matrix::scalar(dag.neg(arguments[i].entries[0])));
+    let largest = largest(dag, &negated);
+    Matrix::scalar(dag.neg(largest.entries[0]))
 }
 
-/// max(a − b, 0)
-fn excess(dag: &mut Dag, arguments: &[Matrix]) -> NodeId {
-    let difference = dag.sub(arguments[0].entries[0], arguments[1].entries[0]);
-    dag.call(Elementary::Positive, vec![difference])
+/// a where d > 0, else b: a max(sign d, 0) + b sign(max(1/2 − sign d, 0)). One factor is 1 and the other 0, so that nothing of the one
+/// that is taken is lost, however large the other; both have the derivative 0.
+fn where_positive(dag: &mut Dag, d: NodeId, [a, b]: [NodeId; 2]) -> NodeId {
+    let sign = dag.call(Elementary::Sign, vec![d]);
+    let is_positive = dag.call(Elementary::Positive, vec![sign]);
+    let half = dag.constant(BigRational::new(1.into(), 2.into()));
+    let rest = dag.sub(half, sign);
+    let rest = dag.call(Elementary::Positive, vec![rest]);
+    let is_not = dag.call(Elementary::Sign, vec![rest]);
+    let [a, b] = [(a, is_positive), (b, is_not)].map(|(x, is)| dag.mul(x, is));
+    dag.add(a, b)
 }
 
 /// cₙ(x²)

@@ -11,6 +11,7 @@ use super::zeros;
 use crate::compensated::compensated_sums;
 use crate::error::Fault;
 use crate::integration::require_finite;
+use crate::model::Flow;
 use crate::model::Model;
 use crate::packed::Pack;
 use crate::packed::Packed;
@@ -19,6 +20,7 @@ use crate::scheme::Adaptive;
 use crate::scheme::Attempt;
 use crate::scheme::Tolerance;
 use crate::scheme::Variable;
+use crate::scheme::rates;
 
 /// [`Gauss`](crate::Gauss) with `S` stages, 3 ≤ S ≤ 8, for an [`Adaptive`](crate::Adaptive) run.
 ///
@@ -44,6 +46,34 @@ struct Accepted<M: Collocated<T>, T: Packed> {
     lost: Flat<M, T>,
     end: Flat<M, T>,
     weights: Flat<M, T>,
+}
+
+impl<M: Collocated<T>, const S: usize, T: Packed> VariableGauss<M, S, T> {
+    /// How far h f at the end of the step is from the polynomial through the stages, none of which is there: a kink between the last
+    /// stage and the end is seen by nothing else.
+    #[cold]
+    fn surprise(&self, h: T) -> T {
+        let mut end = self.start;
+        let sums = end.as_mut().iter_mut().zip(self.core.change.as_ref());
+        sums.for_each(|(x, change)| *x = *x + *change);
+        let rates = rates::<M, T>(&self.core.scene, self.t + h, &end);
+        let zero = T::constant(0.0);
+        let stages = self.core.coefficients.stages;
+        // Pₖ(1) = 1
+        let at_end = self
+            .core
+            .coefficients
+            .legendre
+            .map(|column| column.iter().take(stages).fold(zero, |sum, p| sum + *p));
+        let rows = self.core.rates.as_ref().iter().zip(self.weights.as_ref());
+        let squares = rows.zip(rates.as_ref()).map(|((row, weight), rate)| {
+            let terms = at_end.iter().zip(row.numbers());
+            let expected = terms.fold(zero, |sum, (p, rate)| sum + *p * *rate);
+            let size = (h * *rate - expected) * *weight;
+            size * size
+        });
+        squares.fold(zero, |sum, square| sum + square).sqrt()
+    }
 }
 
 /// Share of the tolerance that the sweeps may leave. Larger saves a sweep at times, and disturbs the estimate.
@@ -109,14 +139,19 @@ impl<M: Collocated<T>, const S: usize, T: Packed> Variable<T> for VariableGauss<
 
         let sizes = &self.core.spectrum;
         let low = larger(sizes[0], sizes[1]).sqrt();
-        // Where the linearised flow is stiff, its coefficients do not decay, and only γ does.
+        // Where the linearised flow is stiff, its coefficients do not decay, and only γ does. At a kink neither does fast enough for one
+        // coefficient to tell the next.
         let size = sizes[self.core.coefficients.stages - 1].sqrt();
-        let error = if self.core.is_stiff() {
+        let error = if self.core.is_stiff() || <M as Flow<T>>::FLOW_HAS_KINKS {
             share * size
         } else if low > zero {
             share * sizes[self.core.coefficients.stages - 1] / low
         } else {
             zero
+        };
+        let error = match <M as Flow<T>>::FLOW_HAS_KINKS {
+            true => larger(error, share * self.surprise(h)),
+            false => error,
         };
         Ok(Attempt {
             error,
