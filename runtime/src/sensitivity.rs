@@ -77,8 +77,8 @@ pub(crate) fn amplification<S: System<T>, T: Real>(
     most
 }
 
-/// How large a state may become before it is looked at again what rounding of the unknowns does: [`REACH`] times what each variable is, or was
-/// before. What follows from the unknowns usually grows with them.
+/// How large a state may become before it is looked at again what rounding of the unknowns does: [`REACH`] times what each
+/// variable is, or was before. What follows from the unknowns usually grows with them.
 pub(crate) fn reach<S: System<T>, T: Real>(
     before: &StateArray<S, T>,
     state: &StateArray<S, T>,
