@@ -117,13 +117,6 @@ pub struct Solver {
     pub core: Option<Box<Solver>>,
 }
 
-impl Solver {
-    /// Whether residuals have kinks or jumps.
-    pub fn has_kinks(&self) -> bool {
-        self.schedule.has_kinks("residual")
-    }
-}
-
 impl Schedule {
     /// Whether what a kernel computes has kinks or jumps.
     pub fn has_kinks(&self, kernel: &str) -> bool {

@@ -112,7 +112,7 @@ fn system(
         change_function(&mut context, n),
         more,
     ];
-    let kinks = solver.has_kinks().then(|| {
+    let kinks = solver.schedule.has_kinks("residual").then(|| {
         quote!(
             const HAS_KINKS: bool = true;
         )

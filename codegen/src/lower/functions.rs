@@ -105,8 +105,10 @@ fn smallest(dag: &mut Dag, arguments: &[Matrix]) -> Matrix {
     Matrix::scalar(dag.neg(largest.entries[0]))
 }
 
-/// a where d > 0, else b: a max(sign d, 0) + b sign(max(1/2 − sign d, 0)). One factor is 1 and the other 0, so that nothing of the one
-/// that is taken is lost, however large the other; both have the derivative 0.
+/// a where d > 0, else b: a max(sign d, 0) + b sign(max(1/2 − sign d, 0)).
+///
+/// One factor is 1 and the other 0, so that nothing of the one that is taken is lost, however large the other; both have the
+/// derivative 0.
 fn where_positive(dag: &mut Dag, d: NodeId, [a, b]: [NodeId; 2]) -> NodeId {
     let sign = dag.call(Elementary::Sign, vec![d]);
     let is_positive = dag.call(Elementary::Positive, vec![sign]);

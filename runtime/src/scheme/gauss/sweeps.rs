@@ -79,7 +79,7 @@ impl<M: Collocated<T>, T: Packed> Work<T> for Sweeps<'_, M, T> {
 
     #[inline(always)]
     fn run<A: Arithmetic<T>>(self, arithmetic: A) -> (End, u32) {
-        let (guess, hb) = (*self.guess, self.hb);
+        let guess = *self.guess;
         let x = self.x.as_ref();
         let times = T::Pack::<LANES>::pack(self.times);
         let (mut stages, mut increments) = (Aligned(*self.known), Aligned(*self.known));
@@ -92,7 +92,7 @@ impl<M: Collocated<T>, T: Packed> Work<T> for Sweeps<'_, M, T> {
         let mut renewal = Renewal {
             arithmetic,
             mu: *self.mu,
-            hb,
+            hb: self.hb,
             x,
             weights: self.weights.as_ref(),
             squares: [T::constant(0.0); LANES],
@@ -112,7 +112,7 @@ impl<M: Collocated<T>, T: Packed> Work<T> for Sweeps<'_, M, T> {
                     Some(scene) => one_by_one::<M, T>(scene, &self.times, stages),
                 };
                 for (to, rate) in self.rates.as_mut().iter_mut().zip(rates.as_ref()) {
-                    *to = T::Pack::pack(product(rate.numbers(), &hb));
+                    *to = T::Pack::pack(product(rate.numbers(), &renewal.hb));
                 }
                 if let Some((columns, spectrum)) = self.spectrum {
                     let increments = core::hint::black_box(self.rates.as_ref());

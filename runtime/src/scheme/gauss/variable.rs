@@ -51,11 +51,8 @@ struct Accepted<M: Collocated<T>, T: Packed> {
 impl<M: Collocated<T>, const S: usize, T: Packed> VariableGauss<M, S, T> {
     /// How far h f at the end of the step is from the polynomial through the stages, none of which is there: a kink between the last
     /// stage and the end is seen by nothing else.
-    #[cold]
-    fn surprise(&self, h: T) -> T {
-        let mut end = self.start;
-        let sums = end.as_mut().iter_mut().zip(self.core.change.as_ref());
-        sums.for_each(|(x, change)| *x = *x + *change);
+    fn defect_at_end(&self, h: T) -> T {
+        let (end, _) = compensated_sums(&self.start, &self.core.change, &self.core.lost);
         let rates = rates::<M, T>(&self.core.scene, self.t + h, &end);
         let zero = T::constant(0.0);
         let stages = self.core.coefficients.stages;
@@ -149,9 +146,10 @@ impl<M: Collocated<T>, const S: usize, T: Packed> Variable<T> for VariableGauss<
         } else {
             zero
         };
-        let error = match <M as Flow<T>>::FLOW_HAS_KINKS {
-            true => larger(error, share * self.surprise(h)),
-            false => error,
+        let error = if <M as Flow<T>>::FLOW_HAS_KINKS {
+            larger(error, share * self.defect_at_end(h))
+        } else {
+            error
         };
         Ok(Attempt {
             error,
