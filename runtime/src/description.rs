@@ -146,6 +146,12 @@ impl Solver {
         self.form == "increment"
     }
 
+    /// Whether component `i` of the state is among the unknowns, and no `update` gives it another value.
+    pub fn solves_for(&self, i: usize) -> bool {
+        let mut told = self.unknowns.iter().filter(|block| block.told);
+        told.any(|block| block.measure.as_ref().is_some_and(|own| own.contains(&i)))
+    }
+
     /// The components of the state that the unknowns are, in their order; none if the state does not tell all of them.
     pub fn own_states(&self) -> Option<impl Iterator<Item = usize>> {
         let measures = self

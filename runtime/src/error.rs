@@ -24,6 +24,9 @@ pub enum Failure {
     Loose,
     /// Rounding of the unknowns makes an equation another one: a number is too large for the format.
     Unresolved,
+    /// Rounding in an equation, or in what follows from the unknowns, leaves the state fewer than ten digits, in `f32` five: terms
+    /// that cancel, or an angle, are too large for the format.
+    Drowned,
     /// NaN or infinity in a residual, an unknown or the state after the step.
     NotFinite,
     /// The stages of a scheme could not be solved for.
@@ -48,9 +51,10 @@ pub enum Place {
 pub struct Fault {
     /// Why the step failed.
     pub failure: Failure,
-    /// The first component that is not finite, what is undetermined, loose or unresolved, or else the row of the largest residual.
+    /// The first component that is not finite, what is undetermined, loose, unresolved or drowned, or else the row of the largest residual.
     pub place: Place,
-    /// The value there; of what is undetermined, how many times rounding grows, of what is loose, by which part of it.
+    /// The value there; of what is undetermined, how many times rounding grows, of what is loose, by which part of it, of
+    /// what is drowned, by which part of the state.
     pub value: f64,
 }
 
@@ -109,6 +113,11 @@ impl fmt::Display for StepError {
                 f.write_str("rounding of the unknowns changes ")?;
                 self.write_place(f)?;
                 return f.write_str(": they are too large for numbers of so few digits");
+            }
+            Failure::Drowned => {
+                f.write_str("rounding of the terms of ")?;
+                self.write_place(f)?;
+                return write!(f, " moves the state by {value:.1e} of its size");
             }
             Failure::NotFinite => {
                 self.write_place(f)?;

@@ -137,7 +137,9 @@ pub use requirement::Relation;
 pub use requirement::unmet;
 #[cfg(feature = "macros")]
 pub use residua_macros::*;
+pub use resolution::rounding;
 pub use scalar::Real;
+pub use scalar::Rounded;
 pub use scalar::Scalar;
 pub use scheme::Adaptive;
 pub use scheme::Attempt;

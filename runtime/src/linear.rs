@@ -23,6 +23,8 @@ pub trait SquareMatrix<T>: Copy {
     fn solve(&self, b: &Self::Vector) -> Option<Self::Vector>;
     /// The N·N entries row by row.
     fn entries(&self) -> &[T];
+    /// Row `i`; empty beyond the last.
+    fn row(&self, i: usize) -> &[T];
 }
 
 impl<T, const N: usize> SquareMatrix<T> for [[T; N]; N]
@@ -49,6 +51,10 @@ where
 
     fn entries(&self) -> &[T] {
         self.as_flattened()
+    }
+
+    fn row(&self, i: usize) -> &[T] {
+        self.get(i).map_or(&[], |row| row)
     }
 }
 

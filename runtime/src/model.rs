@@ -192,6 +192,22 @@ pub trait System<T: Scalar> {
     fn change(scene: &Self::Scene, step: &Self::Step, x: &Self::Unknowns) -> StateArray<Self, T> {
         Self::next(scene, step, x)
     }
+    /// How far rounding may have taken r(x) from what it is for just these numbers, and from `x` the state after the step: bounds
+    /// to first order. Without, none is known of, and zeros are returned.
+    fn rounding(
+        _parameters: &<Self::Model as Model<T>>::Parameters,
+        _h: T,
+        _t: T,
+        state: &StateArray<Self, T>,
+        _x: &Self::Unknowns,
+    ) -> (Self::Unknowns, StateArray<Self, T>)
+    where
+        T: Real,
+    {
+        let mut none = *state;
+        none.as_mut().fill(T::constant(0.0));
+        (Self::zeros().0, none)
+    }
     /// How many times larger than rounding the error of eliminated unknowns may be: Σ |terms| / |Σ terms| over
     /// what was divided by. 0 where nothing can cancel.
     fn growth(_scene: &Self::Scene, _step: &Self::Step, _x: &Self::Unknowns) -> T {

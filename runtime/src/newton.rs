@@ -264,7 +264,7 @@ fn relative_size<S: Correctable<T>, T: Real>(
     })
 }
 
-fn subtract<T: Real>(x: &mut impl AsMut<[T]>, correction: &impl AsRef<[T]>) {
+pub(crate) fn subtract<T: Real>(x: &mut impl AsMut<[T]>, correction: &impl AsRef<[T]>) {
     for (x, correction) in x.as_mut().iter_mut().zip(correction.as_ref()) {
         *x = *x - *correction;
     }

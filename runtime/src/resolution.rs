@@ -1,167 +1,88 @@
 //! Whether the numbers that a step is solved in resolve its equations.
 
-use crate::description::Unknown;
-use crate::linear::Correctable;
-use crate::linear::SquareMatrix;
-use crate::newton::scales;
-use crate::scalar::Real;
-use crate::scalar::larger;
-use crate::settings::AT_ROUNDING;
-use crate::settings::BLURRED;
-use crate::settings::FAR;
-use crate::settings::MOVES;
+mod equations;
+mod unknowns;
 
-/// The first equation that rounding of the unknowns makes another one: where each moves by a few ε, up or down, the row of
-/// the Jacobian changes by more than a share of itself, Σ |ΔJᵢⱼ| |xⱼ| > share Σ |Jᵢⱼ| |xⱼ|. Independent of units.
-///
-/// Not so where a move many times larger changes it as many times more: there the row vanishes, as (x − L)³ and its slope do at L.
-///
-/// In a sine of 10⁷ radians, of which `f32` holds only every one, a correction is small beside the angle wherever the iterate is, and
-/// leads to no solution.
-#[cold]
-pub(crate) fn unresolved<S: Correctable<T>, T: Real>(
-    scene: &S::Scene,
-    step: &S::Step,
-    known: &[T],
-    x: &S::Unknowns,
-) -> Option<usize> {
-    let rounding = rounding::<S, T>(known, x);
-    let jacobian = |part: f64| {
-        let mut moved = *x;
-        for (x, rounding) in moved.as_mut().iter_mut().zip(rounding.as_ref()) {
-            *x = *x + T::constant(part) * *rounding;
-        }
-        let (mut r, mut j) = S::zeros();
-        S::residual_and_jacobian(scene, step, &moved, &mut r, &mut j);
-        j
-    };
-    let scales = scales::<S, T>(known, x);
-    let n = scales.as_ref().len();
-    let here = jacobian(0.0);
-    let [up, down, less] = MOVES.map(jacobian);
-    let far = jacobian(FAR * MOVES[1]);
-    let size = |i| weighted(row(&here, i, n).iter().copied(), scales.as_ref());
-    let change = |there, i| {
-        let pairs = row(there, i, n).iter().zip(row(&here, i, n));
-        weighted(pairs.map(|(there, here)| *there - *here), scales.as_ref())
-    };
-    // What has no value there tells nothing.
-    let is_another = |there, i| change(there, i) > T::constant(BLURRED) * size(i);
-    let is_saturated = |i| change(&far, i) <= T::constant(0.5 * FAR) * change(&down, i);
-    // An edge is on one side.
-    (0..n).find(|&i| {
-        is_another(&down, i) && (is_another(&up, i) || is_another(&less, i)) && is_saturated(i)
-    })
+use crate::error::Fault;
+use crate::linear::Correctable;
+use crate::model::Model;
+use crate::model::Record;
+use crate::model::StateArray;
+use crate::model::System;
+use crate::scalar::Real;
+use crate::scalar::Rounded;
+
+/// A step with its solution.
+pub(crate) struct Solved<S: System<T>, T: Real> {
+    pub(crate) parameters: <S::Model as Model<T>>::Parameters,
+    pub(crate) h: T,
+    pub(crate) t: T,
+    pub(crate) scene: S::Scene,
+    pub(crate) step: S::Step,
+    /// The state before it.
+    pub(crate) state: StateArray<S, T>,
+    pub(crate) x: S::Unknowns,
 }
 
-/// Row `i` of a matrix of `n` columns.
-fn row<T, M: SquareMatrix<T>>(matrix: &M, i: usize, n: usize) -> &[T] {
-    let mut rows = matrix.entries().chunks_exact(n.max(1));
-    rows.nth(i).unwrap_or_default()
+impl<S: Correctable<T>, T: Real> Solved<S, T> {
+    /// Why the solution is none that can be told from others: rounding of the unknowns makes an equation another one, or rounding
+    /// of the equations the state.
+    #[cold]
+    pub(crate) fn doubt(&self) -> Option<Fault> {
+        self.unresolved().or_else(|| self.drowned())
+    }
+}
+
+/// How far rounding may have taken r(x) of `S`, and from `x` the state after the step, in numbers that know:
+/// [`System::rounding`] as the generator implements it.
+#[cold]
+pub fn rounding<S, T>(
+    parameters: &<<S as System<T>>::Model as Model<T>>::Parameters,
+    h: T,
+    t: T,
+    state: &StateArray<S, T>,
+    x: &<S as System<T>>::Unknowns,
+) -> (<S as System<T>>::Unknowns, StateArray<S, T>)
+where
+    T: Real,
+    S: System<T> + System<Rounded<T>>,
+{
+    type Wide<S, T> = <S as System<Rounded<T>>>::Model;
+    let mut given = <Wide<S, T> as Model<Rounded<T>>>::Parameters::default();
+    let mut known = <Wide<S, T> as Model<Rounded<T>>>::start(&given).to_array();
+    let mut array = given.to_array();
+    copy(parameters.to_array().as_ref(), array.as_mut());
+    given = Record::from_array(array);
+    copy(state.as_ref(), known.as_mut());
+    let (mut r, _) = <S as System<Rounded<T>>>::zeros();
+    let mut unknowns = r;
+    copy(x.as_ref(), unknowns.as_mut());
+
+    let scene = <S as System<Rounded<T>>>::scene(&given, Rounded::exact(h));
+    let step = <S as System<Rounded<T>>>::step(&scene, Rounded::exact(t), &known);
+    <S as System<Rounded<T>>>::residual(&scene, &step, &unknowns, &mut r);
+    let next = <S as System<Rounded<T>>>::next(&scene, &step, &unknowns);
+    let (mut errors, mut errors_after) = (*x, *state);
+    errors_of(r.as_ref(), errors.as_mut());
+    errors_of(next.as_ref(), errors_after.as_mut());
+    (errors, errors_after)
+}
+
+/// What is given is meant as it is.
+fn copy<T: Real>(from: &[T], to: &mut [Rounded<T>]) {
+    for (to, from) in to.iter_mut().zip(from) {
+        *to = Rounded::exact(*from);
+    }
+}
+
+fn errors_of<T: Real>(from: &[Rounded<T>], to: &mut [T]) {
+    for (to, from) in to.iter_mut().zip(from) {
+        *to = from.error;
+    }
 }
 
 /// Σ |aⱼ| |xⱼ|
 fn weighted<T: Real>(row: impl Iterator<Item = T>, scales: &[T]) -> T {
     row.zip(scales)
         .fold(T::constant(0.0), |sum, (a, scale)| sum + a.abs() * *scale)
-}
-
-/// A few ε of each unknown: of itself, or of the component that it advances.
-fn rounding<S: Correctable<T>, T: Real>(known: &[T], x: &S::Unknowns) -> S::Unknowns {
-    let mut rounding = *x;
-    let mut own = rounding.as_mut().iter_mut();
-    let blocks: &[Unknown] = S::UNKNOWNS;
-    for block in blocks {
-        let measure = block.measure.clone().unwrap_or(0..0);
-        let mut advanced = known.iter().take(measure.end).skip(measure.start);
-        for x in own.by_ref().take(block.len) {
-            let known = advanced
-                .next()
-                .map_or(T::constant(0.0), |known| known.abs());
-            *x = T::constant(AT_ROUNDING) * T::EPSILON * larger(x.abs(), known);
-        }
-    }
-    rounding
-}
-
-#[cfg(test)]
-mod tests {
-    use super::unresolved;
-    use crate::description::Unknown;
-    use crate::specimens::root::Evaluated;
-    use crate::specimens::root::Problem;
-    use crate::specimens::root::Root;
-
-    /// x − 2 sin x = 0, and nothing but itself for y.
-    struct Wave;
-    impl Problem<2> for Wave {
-        fn evaluate([x, y]: [f64; 2]) -> Evaluated<2> {
-            let r = [y - 1.0, x - 2.0 * x.sin()];
-            (r, [[0.0, 1.0], [1.0 - 2.0 * x.cos(), 0.0]])
-        }
-    }
-
-    #[test]
-    fn a_sine_of_more_than_the_format_resolves_is_found() {
-        let row = |x: f64| unresolved::<Root<Wave, 2>, f64>(&(), &[0.0; 2], &[0.0; 2], &[x, 1.0]);
-        for x in [0.0, 1.0, 1e6, 1e13] {
-            assert_eq!(row(x), None, "{x:e}");
-        }
-        for x in [1e15, 1e16, 1e200] {
-            assert_eq!(row(x), Some(1), "{x:e}");
-        }
-    }
-
-    /// √x and a stiff floor at 1, with an edge there.
-    struct Edge;
-    impl Problem<2> for Edge {
-        fn evaluate([x, y]: [f64; 2]) -> Evaluated<2> {
-            let (force, stiffness) = if y < 1.0 {
-                (1e6 * (1.0 - y), 1e6)
-            } else {
-                (0.0, 0.0)
-            };
-            let r = [x.sqrt(), y - 1.0 - force];
-            (r, [[0.5 / x.sqrt(), 0.0], [0.0, 1.0 + stiffness]])
-        }
-    }
-
-    /// Nothing moves, and nothing holds x.
-    struct Cubic;
-    impl Problem<2> for Cubic {
-        fn evaluate([x, v]: [f64; 2]) -> Evaluated<2> {
-            let r = [v + (x - 1.0).powi(3), x - 1.0 - v];
-            (r, [[3.0 * (x - 1.0).powi(2), 1.0], [1.0, -1.0]])
-        }
-        const UNKNOWNS: &'static [Unknown] = &[
-            Unknown {
-                name: "x",
-                len: 1,
-                measure: Some(0..1),
-                told: true,
-            },
-            Unknown {
-                name: "v",
-                len: 1,
-                measure: Some(1..2),
-                told: true,
-            },
-        ];
-    }
-
-    #[test]
-    fn a_stiffness_that_vanishes_is_no_lack_of_digits() {
-        for x in [1.0, 1.0 + f64::EPSILON, 1.0 - 1e-15] {
-            let row = unresolved::<Root<Cubic, 2>, f64>(&(), &[0.0; 2], &[x, 0.0], &[x, 0.0]);
-            assert_eq!(row, None, "{x:?}");
-        }
-    }
-
-    #[test]
-    fn edges_are_not_blamed() {
-        for x in [[1.0, 1.0], [1e-20, 1.0], [0.0, 1.0_f64.next_down()]] {
-            let row = unresolved::<Root<Edge, 2>, f64>(&(), &[0.0; 2], &[0.0; 2], &x);
-            assert_eq!(row, None, "{x:?}");
-        }
-    }
 }

@@ -3,8 +3,11 @@
 #[cfg(feature = "dual")]
 mod dual;
 mod real;
+mod rounded;
 
 use core::ops::{Add, Div, Mul, Neg, Range, Sub};
+
+pub use rounded::Rounded;
 
 /// A number that generated code can compute with: `f64`, `f32`, a dual number, SIMD lanes.
 pub trait Scalar:

@@ -96,8 +96,8 @@ pub(crate) fn reach<S: System<T>, T: Real>(
     reach
 }
 
-/// The largest change of a variable relative to its scale.
-fn change<T: Real>(
+/// The largest change of a variable relative to its scale, the largest |x| in it before and after the step.
+pub(crate) fn change<T: Real>(
     variables: &[Variable],
     known: &[T],
     next: &[T],

@@ -18,7 +18,7 @@ use crate::newton::Newton;
 use crate::report::History;
 use crate::report::Report;
 use crate::report::Statistics;
-use crate::resolution::unresolved;
+use crate::resolution::Solved;
 use crate::scalar::Real;
 use crate::sensitivity::Amplification;
 use crate::sensitivity::amplification;
@@ -48,6 +48,8 @@ struct Solver<S: Correctable<T>, T: Real> {
     follows: bool,
     /// States below that are resolved, and known from the unknowns, as they were where that was looked at.
     reach: StateArray<S, T>,
+    parameters: <S::Model as Model<T>>::Parameters,
+    h: T,
     scene: S::Scene,
     newton: Newton<S, T>,
 }
@@ -68,6 +70,8 @@ impl<S: Correctable<T>, T: Real> Solver<S, T> {
         Self {
             follows: follows::<S, T>(),
             reach,
+            parameters: *parameters,
+            h,
             scene: S::scene(parameters, h),
             newton: Newton::new(Settings::default()),
         }
@@ -102,7 +106,18 @@ impl<S: Correctable<T>, T: Real> Solver<S, T> {
         require_finite(&next)?;
         check(state, &next)?;
         if !self.is_within_reach(&next) {
-            self.require_resolved(&step, state, &x)?;
+            let solved = Solved::<S, T> {
+                parameters: self.parameters,
+                h: self.h,
+                t,
+                scene: self.scene,
+                step,
+                state: *state,
+                x,
+            };
+            if let Some(fault) = solved.doubt() {
+                return Err(fault);
+            }
         }
         self.reach = reach::<S, T>(&self.reach, &next);
         (*state, *lost) = (next, lost_then);
@@ -144,23 +159,6 @@ impl<S: Correctable<T>, T: Real> Solver<S, T> {
             return Err(undetermined(times, state));
         }
         Ok(())
-    }
-
-    /// Refuses a solution of equations that rounding of it makes others.
-    fn require_resolved(
-        &self,
-        step: &S::Step,
-        state: &StateArray<S, T>,
-        x: &S::Unknowns,
-    ) -> Result<(), Fault> {
-        match unresolved::<S, T>(&self.scene, step, state.as_ref(), x) {
-            None => Ok(()),
-            Some(row) => Err(Fault {
-                failure: Failure::Unresolved,
-                place: Place::Equation(row),
-                value: 0.0,
-            }),
-        }
     }
 
     /// Takes `state` on by as many of `count` steps as can be solved quickly.

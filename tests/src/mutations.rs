@@ -39,6 +39,9 @@ const NEWTON: &str = "runtime/src/newton.rs";
 const RATE: &str = "runtime/src/newton/rate.rs";
 const STEPPER: &str = "runtime/src/stepper.rs";
 const SHIFTS: &str = "runtime/src/shifts.rs";
+const UNKNOWNS: &str = "runtime/src/resolution/unknowns.rs";
+const EQUATIONS: &str = "runtime/src/resolution/equations.rs";
+const ROUNDED: &str = "runtime/src/scalar/rounded.rs";
 const CONTEXT: &str = "codegen/src/lower/context.rs";
 
 /// All of them.
@@ -140,8 +143,17 @@ pub const ALL: &[Mutation] = &[
     mutation("what is eliminated must be known", STEPPER, "if !is_trusted::<S, T>(scene, &step, &x) {", "if false {"),
     mutation("what follows from the unknowns must be known", STEPPER, "if times > most_growth::<T>() {", "if false {"),
     mutation("equations must be resolved by the format", STEPPER, "if !self.is_within_reach(&next) {", "if false {"),
-    mutation("an edge is no lack of digits", "runtime/src/resolution.rs", "is_another(&down, i) && (", "is_another(&down, i) || ("),
-    mutation("a row that vanishes is resolved", "runtime/src/resolution.rs", " && is_saturated(i)", ""),
+    mutation("an edge is no lack of digits", UNKNOWNS, "is_another(&down, i) && (", "is_another(&down, i) || ("),
+    mutation("a row that vanishes is resolved", UNKNOWNS, " && is_saturated(i)", ""),
+    mutation("an equation that loses its digits is refused", EQUATIONS, "if times > digits {", "if false {"),
+    mutation("what follows from the unknowns does not lose its digits", EQUATIONS, "(times > digits).then(", "(times > digits && false).then("),
+    mutation("unknowns that move by a few ε make up for rounding", EQUATIONS, "T::constant(ROUNDING) * T::EPSILON * terms", "T::constant(0.0) * terms"),
+    mutation("an update that is nothing has no digits", EQUATIONS, "!is_nothing || ", "*before == *before || "),
+    mutation("errors of a sum add up", ROUNDED, "Self::of(self.value + other.value, self.error + other.error)", "Self::of(self.value + other.value, self.error - other.error)"),
+    mutation("errors of a product are magnified by its factors", ROUNDED, "self.value.abs() * other.error + other.value.abs() * self.error", "self.error + other.error"),
+    mutation("errors of a quotient are divided", ROUNDED, "Self::of(quotient, inherited / other.value.abs())", "Self::of(quotient, inherited)"),
+    mutation("errors of a function follow its slope", ROUNDED, "error: change + own,", "error: own,"),
+    mutation("every operation rounds", ROUNDED, "error: inherited + own,", "error: inherited,"),
     mutation("time goes on", "runtime/src/integration.rs", "if t0 + h == t0 {", "if false {"),
     mutation("a state that has grown is looked at again", STEPPER, "all & (x.abs() < *reach)", "all & (*reach >= T::constant(0.0)) & x.is_finite()"),
     mutation("starts of a run of steps are those of each step", SHIFTS, "self.rest = self.all_but_last(self.order, 0);", "self.rest = self.all_but_last(self.order, 1);"),

@@ -1,7 +1,9 @@
 //! Steps are right although what was learned from earlier ones no longer holds.
 
 use residua::erased::{AnySolver, Catalogued, Sample};
-use residua::{Adaptive, Fleet, Model, Outcome, Settings, System, Tolerance, VariableGauss};
+use residua::{
+    Adaptive, Fleet, Model, Outcome, Settings, Strategy, System, Tolerance, VariableGauss,
+};
 use residua_models::dsl::spatial_reduced;
 use residua_tests::case::{Case, Tested, solver};
 use std::ops::ControlFlow;
@@ -128,6 +130,40 @@ mod rod {
         }
         solve for next, increment;
         start { q = [1, 0]; v = [0, 0]; }
+    }
+}
+
+/// An equation that loses the digits of its terms before they get to the Jacobian, and a motion that follows from it.
+mod drowned {
+    residua::model! {
+        //! A force among large terms that cancel.
+        param c = 1;
+        param a = 3;
+        state x; state u;
+        state y; state w;
+        unknown λ = 0;
+        residual {
+            Δx = h*u[k+1/2];
+            Δu = -4*h*x[k+1/2];
+            (c + x[k+1])*a + 2*λ = c*a + x[k+1]*a + 2*sin(x[k+1]);
+            Δy = h*w[k+1/2];
+            Δw = h*(λ - y[k+1/2]);
+        }
+        solve for next, increment;
+        start { x = 1; u = 0; y = 0.3; w = 0; }
+    }
+}
+
+/// A height above the lowest point, which an update takes from the angle.
+mod height {
+    residua::model! {
+        //! Hanging at rest.
+        param c = 1;
+        state ω; state θ; state z;
+        residual { Δω = -h*sin(θ[k+1/2]); Δθ = h*ω[k+1/2]; }
+        update { z = 1 - cos(θ[k+1]) + sqrt(c^2 + θ[k+1]) - c; }
+        solve for next, increment;
+        start { ω = 0; θ = 0; z = 0; }
     }
 }
 
@@ -362,7 +398,7 @@ fn a_rotation_that_cannot_be_known_is_refused() {
         .expect_err("no angle is known to 1e-10 beyond 1e6")
         .to_string();
     assert!(
-        message.contains("state R(1,1) at the end of the step is not known"),
+        message.contains("rounding of the terms of state R(1,1) at the end of the step moves"),
         "{message}"
     );
     // It is looked at whenever the rate has grown 4 times.
@@ -385,4 +421,63 @@ fn a_state_that_its_update_magnifies_is_refused() {
         let expected = "state x at the end of the step is not known";
         assert!(message.contains(expected), "{message}");
     }
+}
+
+#[test]
+fn terms_that_cancel_to_rounding_are_refused() {
+    let mut expected = None;
+    for exponent in 0..20 {
+        let c = 10_f64.powi(exponent);
+        let case = Case::with_parameters(&drowned::MODEL, vec![c, 3.0]);
+        for solver in case.model.solvers {
+            for strategy in [Strategy::Core, Strategy::Full] {
+                let mut run = case.run(0.01, 200);
+                run.settings.strategy = strategy;
+                let mut last = Vec::new();
+                let made = solver.simulate(&run, &mut |sample| {
+                    last = sample.state.to_vec();
+                    ControlFlow::Continue(())
+                });
+                match made {
+                    Ok(_) => {
+                        let off = last[2] - *expected.get_or_insert(last[2]);
+                        assert!(off.abs() < 1e-6, "c = {c:e}: {off:e}");
+                        assert!(exponent < 8, "c = {c:e}");
+                    }
+                    Err(error) => {
+                        let message = error.to_string();
+                        let expected =
+                            "rounding of the terms of equation 3, `(c + x[k+1])*a + 2*λ = ";
+                        assert!(message.contains(expected), "c = {c:e}: {message}");
+                        assert!(exponent > 3, "c = {c:e}");
+                    }
+                }
+            }
+        }
+        let outcome = fly(&case, 0.01, 200, &|_| {});
+        match exponent {
+            ..4 => assert!(outcome.error.is_none(), "c = {c:e}"),
+            8.. => assert!(outcome.error.is_some(), "c = {c:e}"),
+            _ => {}
+        }
+    }
+}
+
+#[test]
+fn an_update_may_cancel_to_nothing() {
+    let run = |c: f64, angle: f64| {
+        let mut case = Case::with_parameters(&height::MODEL, vec![c]);
+        case.start[1] = angle;
+        let run = case.run(0.01, 10);
+        solver(case.model, "next")
+            .simulate(&run, &mut |_| ControlFlow::Continue(()))
+            .map(|_| ())
+    };
+    assert!(run(1.0, 0.0).is_ok());
+    assert!(run(1.0, 0.5).is_ok());
+    let message = run(1e12, 0.5)
+        .expect_err("four digits are left")
+        .to_string();
+    let expected = "rounding of the terms of state z at the end of the step moves";
+    assert!(message.contains(expected), "{message}");
 }

@@ -110,6 +110,7 @@ fn system(
         correction_function(&mut context, n),
         state_function(&mut context, n, "next", "The state after the step"),
         change_function(&mut context, n),
+        rounding_function(&context, n),
         more,
     ];
     let kinks = solver.schedule.has_kinks("residual").then(|| {
@@ -308,6 +309,25 @@ fn change_function(context: &mut Context, n: &Literal) -> TokenStream {
     quote! {
         const HAS_CHANGE: bool = true;
         #function
+    }
+}
+
+/// The same straight lines, in numbers that know how far rounding may have taken them.
+fn rounding_function(context: &Context, n: &Literal) -> TokenStream {
+    let n_states = whole(context.model.n_states());
+    quote! {
+        fn rounding(
+            parameters: &super::Parameters<T>,
+            h: T,
+            t: T,
+            state: &[T; #n_states],
+            unknowns: &[T; #n],
+        ) -> ([T; #n], [T; #n_states])
+        where
+            T: ::residua::Real,
+        {
+            ::residua::rounding::<Self, T>(parameters, h, t, state, unknowns)
+        }
     }
 }
 

@@ -523,6 +523,18 @@ mod increment {
             let [Delta_x_x, Delta_x_y, Delta_r, Delta_Next] = *unknowns;
             [Delta_x_x, Delta_x_y, Delta_r, Delta_Next]
         }
+        fn rounding(
+            parameters: &super::Parameters<T>,
+            h: T,
+            t: T,
+            state: &[T; 4],
+            unknowns: &[T; 4],
+        ) -> ([T; 4], [T; 4])
+        where
+            T: ::residua::Real,
+        {
+            ::residua::rounding::<Self, T>(parameters, h, t, state, unknowns)
+        }
     }
 }
 /// What [`Increment`] iterates on: 2 of its 4 unknowns. The others enter linearly and are eliminated.
@@ -799,6 +811,18 @@ mod increment_core {
             let Step { s1, s3, .. } = *step;
             let [Delta_r, Delta_Next] = *unknowns;
             [-s1, s3, Delta_r, Delta_Next]
+        }
+        fn rounding(
+            parameters: &super::Parameters<T>,
+            h: T,
+            t: T,
+            state: &[T; 4],
+            unknowns: &[T; 2],
+        ) -> ([T; 2], [T; 4])
+        where
+            T: ::residua::Real,
+        {
+            ::residua::rounding::<Self, T>(parameters, h, t, state, unknowns)
         }
         /// Σ|terms|/|Σ terms| over the divisors: no operations.
         #[inline(always)]

@@ -384,6 +384,18 @@ mod next {
             let [omega_next, Gamma_x_next, Gamma_y_next] = *unknowns;
             [omega_next, Gamma_x_next, Gamma_y_next]
         }
+        fn rounding(
+            parameters: &super::Parameters<T>,
+            h: T,
+            t: T,
+            state: &[T; 3],
+            unknowns: &[T; 3],
+        ) -> ([T; 3], [T; 3])
+        where
+            T: ::residua::Real,
+        {
+            ::residua::rounding::<Self, T>(parameters, h, t, state, unknowns)
+        }
     }
 }
 /// What [`Next`] iterates on: 1 of its 3 unknowns. The others enter linearly and are eliminated.
@@ -624,6 +636,18 @@ mod next_core {
                 + h_omega_sum * (h_Gamma_y * omega_sum + four_Gamma_x) - sixteen_Gamma_y;
             [omega_next, v1 * v8, -v9 * v8]
         }
+        fn rounding(
+            parameters: &super::Parameters<T>,
+            h: T,
+            t: T,
+            state: &[T; 3],
+            unknowns: &[T; 1],
+        ) -> ([T; 1], [T; 3])
+        where
+            T: ::residua::Real,
+        {
+            ::residua::rounding::<Self, T>(parameters, h, t, state, unknowns)
+        }
         /// Σ|terms|/|Σ terms| over the divisors: no operations.
         #[inline(always)]
         fn growth(_scene: &Scene<T>, _step: &Step<T>, _unknowns: &[T; 1]) -> T {
@@ -783,6 +807,18 @@ mod increment {
         fn change(_scene: &Scene<T>, _step: &Step<T>, unknowns: &[T; 3]) -> [T; 3] {
             let [Delta_omega, Delta_Gamma_x, Delta_Gamma_y] = *unknowns;
             [Delta_omega, Delta_Gamma_x, Delta_Gamma_y]
+        }
+        fn rounding(
+            parameters: &super::Parameters<T>,
+            h: T,
+            t: T,
+            state: &[T; 3],
+            unknowns: &[T; 3],
+        ) -> ([T; 3], [T; 3])
+        where
+            T: ::residua::Real,
+        {
+            ::residua::rounding::<Self, T>(parameters, h, t, state, unknowns)
         }
     }
 }
@@ -1039,6 +1075,18 @@ mod increment_core {
             let v7 = (four_h_Gamma_y * omega_sum - Gamma_x * h_omega_sum_squared) * v6;
             let v8 = (four_h_Gamma_x * omega_sum + Gamma_y * h_omega_sum_squared) * v6;
             [Delta_omega, two * v7, -two * v8]
+        }
+        fn rounding(
+            parameters: &super::Parameters<T>,
+            h: T,
+            t: T,
+            state: &[T; 3],
+            unknowns: &[T; 1],
+        ) -> ([T; 1], [T; 3])
+        where
+            T: ::residua::Real,
+        {
+            ::residua::rounding::<Self, T>(parameters, h, t, state, unknowns)
         }
         /// Σ|terms|/|Σ terms| over the divisors: no operations.
         #[inline(always)]

@@ -396,6 +396,18 @@ mod increment {
             let [Delta_omega, Delta_Gamma_x, Delta_Gamma_y] = *unknowns;
             [Delta_omega, Delta_Gamma_x, Delta_Gamma_y]
         }
+        fn rounding(
+            parameters: &super::Parameters<T>,
+            h: T,
+            t: T,
+            state: &[T; 3],
+            unknowns: &[T; 3],
+        ) -> ([T; 3], [T; 3])
+        where
+            T: ::residua::Real,
+        {
+            ::residua::rounding::<Self, T>(parameters, h, t, state, unknowns)
+        }
     }
 }
 /// What [`Increment`] iterates on: 1 of its 3 unknowns. The others enter linearly and are eliminated.
@@ -652,6 +664,18 @@ mod increment_core {
             let v7 = (four_h_Gamma_y * omega_sum - Gamma_x * h_omega_sum_squared) * v6;
             let v8 = (four_h_Gamma_x * omega_sum + Gamma_y * h_omega_sum_squared) * v6;
             [Delta_omega, two * v7, -two * v8]
+        }
+        fn rounding(
+            parameters: &super::Parameters<T>,
+            h: T,
+            t: T,
+            state: &[T; 3],
+            unknowns: &[T; 1],
+        ) -> ([T; 1], [T; 3])
+        where
+            T: ::residua::Real,
+        {
+            ::residua::rounding::<Self, T>(parameters, h, t, state, unknowns)
         }
         /// Σ|terms|/|Σ terms| over the divisors: no operations.
         #[inline(always)]

@@ -23,10 +23,9 @@ use crate::linear::Solvable;
 use crate::model::Cache;
 use crate::model::Model;
 use crate::model::Record;
-use crate::model::StateArray;
 use crate::model::System;
 use crate::report::Statistics;
-use crate::resolution::unresolved;
+use crate::resolution::Solved;
 use crate::sensitivity::amplification;
 use crate::sensitivity::follows;
 use crate::settings::Settings;
@@ -148,7 +147,7 @@ pub(crate) trait Kernel: Sync {
     fn correct(&self, arch: Arch, start: Start, landing: Landing);
     /// How many times rounding of the unknowns grows on its way to the state after the step, for one trajectory.
     fn amplification(&self, at: At) -> f64;
-    /// Whether rounding of the unknowns leaves the equations what they are.
+    /// Whether rounding of the unknowns leaves the equations what they are, and rounding of these the state.
     fn is_resolved(&self, at: At) -> bool;
     /// One trajectory by itself.
     fn alone(&self, departure: &Departure) -> Result<Box<dyn Alone>, InvalidRun>;
@@ -159,6 +158,8 @@ pub(crate) trait Kernel: Sync {
 pub(crate) struct At<'a> {
     pub(crate) lane: usize,
     pub(crate) t: f64,
+    pub(crate) h: f64,
+    pub(crate) parameters: &'a [Row],
     pub(crate) scene: &'a [Row],
     pub(crate) state: &'a [Row],
     pub(crate) x: &'a [Row],
@@ -172,24 +173,25 @@ impl<S> Emitted<S> {
     pub(crate) const NEW: Self = Self(PhantomData);
 }
 
-/// The scene, the step, the state and the unknowns of one trajectory.
-#[expect(clippy::type_complexity, reason = "a tuple of what System names")]
-fn gather<S: Wide>(
-    at: At,
-) -> (
-    <Core<S, f64> as System<f64>>::Scene,
-    <Core<S, f64> as System<f64>>::Step,
-    StateArray<S, f64>,
-    <Core<S, f64> as System<f64>>::Unknowns,
-) {
+/// The step of one trajectory by itself.
+fn gather<S: Wide>(at: At) -> Solved<Core<S, f64>, f64> {
     let parameters = <<S as System<f64>>::Model as Model<f64>>::Parameters::default();
-    let mut known = <<S as System<f64>>::Model as Model<f64>>::start(&parameters).to_array();
-    get(at.state, at.lane, known.as_mut());
+    let mut state = <<S as System<f64>>::Model as Model<f64>>::start(&parameters).to_array();
+    get(at.state, at.lane, state.as_mut());
+    let mut given = parameters.to_array();
+    get(at.parameters, at.lane, given.as_mut());
     let (mut x, _) = Core::<S, f64>::zeros();
     get(at.x, at.lane, x.as_mut());
     let scene = <Core<S, f64> as System<f64>>::Scene::gather(|j| at.scene[j][at.lane]);
-    let step = Core::<S, f64>::step(&scene, at.t, &known);
-    (scene, step, known, x)
+    Solved {
+        parameters: Record::from_array(given),
+        h: at.h,
+        t: at.t,
+        scene,
+        step: Core::<S, f64>::step(&scene, at.t, &state),
+        state,
+        x,
+    }
 }
 
 /// What is left of `S` after elimination, on `T`.
@@ -256,13 +258,19 @@ impl<S: Wide + 'static> Kernel for Emitted<S> {
     }
 
     fn amplification(&self, at: At) -> f64 {
-        let (scene, step, known, x) = gather::<S>(at);
-        amplification::<Core<S, f64>, f64>(&scene, &step, &x, &known).times
+        let solved = gather::<S>(at);
+        let Solved {
+            scene,
+            step,
+            state,
+            x,
+            ..
+        } = &solved;
+        amplification::<Core<S, f64>, f64>(scene, step, x, state).times
     }
 
     fn is_resolved(&self, at: At) -> bool {
-        let (scene, step, known, x) = gather::<S>(at);
-        unresolved::<Core<S, f64>, f64>(&scene, &step, known.as_ref(), &x).is_none()
+        gather::<S>(at).doubt().is_none()
     }
 
     fn alone(&self, departure: &Departure) -> Result<Box<dyn Alone>, InvalidRun> {

@@ -63,6 +63,15 @@ fn what_has_too_few_digits_is_named() {
         "step 17 at t = 0.17: rounding of the unknowns changes equation 2, `der(ω) + c*sin(θ[k+1/2]) = 0` (line 8): they are \
          too large for numbers of so few digits"
     );
+    assert_eq!(
+        message(Failure::Drowned, Place::Equation(1), 0.0123, 3),
+        "step 17 at t = 0.17: rounding of the terms of equation 2, `der(ω) + c*sin(θ[k+1/2]) = 0` (line 8) moves the state by \
+         1.2e-2 of its size"
+    );
+    assert_eq!(
+        message(Failure::Drowned, Place::State(0), 3.0, 3),
+        "step 17 at t = 0.17: rounding of the terms of state θ at the end of the step moves the state by 3.0e0 of its size"
+    );
 }
 
 #[test]

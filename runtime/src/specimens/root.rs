@@ -37,6 +37,10 @@ pub(crate) trait Problem<const N: usize> {
             false => x,
         }
     }
+    /// Bounds of rounding in r(x), and in the state after the step.
+    fn rounding() -> [[f64; N]; 2] {
+        [[0.0; N]; 2]
+    }
     /// How much rounding of eliminated unknowns has grown.
     fn growth() -> f64 {
         0.0
@@ -148,6 +152,15 @@ impl<P: Problem<N>, const N: usize> System<f64> for Root<P, N> {
     }
     fn change(_scene: &(), _step: &[f64; N], x: &[f64; N]) -> [f64; N] {
         *x
+    }
+    fn rounding(
+        _parameters: &Flat<0>,
+        _h: f64,
+        _t: f64,
+        _state: &[f64; N],
+        _x: &[f64; N],
+    ) -> ([f64; N], [f64; N]) {
+        P::rounding().into()
     }
     fn growth(_scene: &(), _step: &[f64; N], _x: &[f64; N]) -> f64 {
         P::growth()

@@ -177,6 +177,8 @@ impl Group<'_> {
         At {
             lane,
             t: self.t(),
+            h: self.fleet.h,
+            parameters: &self.parameters,
             scene: &self.scene,
             state: &self.state,
             x,
