@@ -1,5 +1,6 @@
 //! Newton's method for the unknowns of one step: r(x) = 0, x ← x − J(x)⁻¹ r(x).
 
+mod damping;
 pub(crate) mod rate;
 mod thorough;
 

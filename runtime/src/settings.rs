@@ -105,6 +105,13 @@ pub(crate) const AT_ROUNDING: f64 = 4.0;
 /// steps where rounding does not. Larger drifts, smaller takes more corrections.
 pub(crate) const LEFTOVER: f64 = 1.0 / 1024.0;
 
+/// Share of the fall of a linear residual's squares that a shortened correction must bring. Larger shortens more than it needs to,
+/// 0 may go back and forth.
+pub(crate) const FALL: f64 = 1e-4;
+
+/// Halvings of a correction before it is given up: stiffnesses on two sides of a kink may differ by 2³⁰.
+pub(crate) const MOST_HALVED: usize = 30;
+
 /// Parts of a distance that are tried where something is looked at within it: a rotation by whole turns looks like none, but not by
 /// three that do not fit each other.
 pub(crate) const MOVES: [f64; 3] = [1.0, -0.618_033_988_749_894_8, 0.414_213_562_373_095_1];

@@ -35,6 +35,7 @@ const NORMAL: &str = "codegen/src/normal.rs";
 const CALLS: &str = "codegen/src/normal/calls.rs";
 const ONE_SIDED: &str = "codegen/src/normal/one_sided.rs";
 const THOROUGH: &str = "runtime/src/newton/thorough.rs";
+const DAMPING: &str = "runtime/src/newton/damping.rs";
 const NEWTON: &str = "runtime/src/newton.rs";
 const RATE: &str = "runtime/src/newton/rate.rs";
 const STEPPER: &str = "runtime/src/stepper.rs";
@@ -135,6 +136,9 @@ pub const ALL: &[Mutation] = &[
     mutation("at the floor: unknowns have digits", THOROUGH, "self.residual_is_rounding(known)\n                && self.undetermined(&correction, known).is_none()", "self.residual_is_rounding(known)"),
     mutation("diverged", THOROUGH, "return Err(Failure::Diverged);", "return Err(Failure::Stalled);"),
     mutation("diverged: only consecutive growths count", THOROUGH, "                growths = 0;\n", ""),
+    mutation("corrections that make the residual larger are shortened", DAMPING, "if squares(&r) <= most {", "if true {"),
+    mutation("a shortened correction is shorter", DAMPING, "part = T::constant(0.5) * part;", "part = T::constant(1.0) * part;"),
+    mutation("the reason of a failure is that of whole corrections", THOROUGH, "        self.history = history;\n        Err(fault)", "        Err(self.fault(Failure::Stalled))"),
     mutation("stalled", THOROUGH, "        Err(Failure::Stalled)\n    }\n\n    /// Whether the residual after", "        Err(Failure::Diverged)\n    }\n\n    /// Whether the residual after"),
     mutation("blame: what is not finite comes first", THOROUGH, "if let Some((row, value)) = first_not_finite(r) {", "if let Some((row, value)) = first_not_finite(r).filter(|_| false) {"),
     mutation("blame: the largest residual", THOROUGH, "if value.abs() > most {\n            (largest", "if value.abs() < most {\n            (largest"),

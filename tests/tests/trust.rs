@@ -115,6 +115,25 @@ mod limited {
     }
 }
 
+/// A block that rubs on the ground, sticks and slips, between two stops.
+mod rubbing {
+    residua::model! {
+        //! Stick and slip.
+        param μ = 3;
+        param ε = 0.0001;
+        param κ = 1000000;
+        state x;
+        state v;
+        residual {
+            Δx = h*v[k+1/2];
+            Δv = h*(5*sin(3*t[k+1/2]) - 4*x[k+1/2] - μ*max(min(v[k+1/2]/ε, 1), -1)
+                + κ*max(-0.2 - x[k+1/2], 0) - κ*max(x[k+1/2] - 0.2, 0));
+        }
+        solve for next, increment;
+        start { x = 0; v = 1; }
+    }
+}
+
 /// A pendulum on a rod: the multiplier is known to ε/h² only, and no state follows from it.
 mod rod {
     residua::model! {
@@ -480,4 +499,56 @@ fn an_update_may_cancel_to_nothing() {
         .to_string();
     let expected = "rounding of the terms of state z at the end of the step moves";
     assert!(message.contains(expected), "{message}");
+}
+
+#[test]
+fn stick_and_slip_between_stops_go_on() {
+    for friction in [0.3, 3.0, 4.9] {
+        for width in [1e-5, 1e-3] {
+            let case = Case::with_parameters(&rubbing::MODEL, vec![friction, width, 1e6]);
+            for solver in case.model.solvers {
+                for h in [0.003, 0.02] {
+                    let mut before: Option<(f64, [f64; 2])> = None;
+                    let made = solver.simulate(&case.run(h, 1000), &mut |sample| {
+                        let [x, v] = [sample.state[0], sample.state[1]];
+                        if let Some((t, old)) = before {
+                            let off = rubbed(&case.parameters, h, t, old, [x, v]);
+                            assert!(off < 1e-9, "{friction} {width:e} {h}: {off:e} at {t}");
+                        }
+                        before = Some((sample.t, [x, v]));
+                        ControlFlow::Continue(())
+                    });
+                    let statistics =
+                        made.unwrap_or_else(|error| panic!("{friction} {width:e} {h}: {error}"));
+                    assert_eq!(statistics.steps, 1000);
+                }
+            }
+        }
+    }
+}
+
+/// How far `new` is from where the step from `old` ends, found by bisection: the sum of forces falls with the speed.
+fn rubbed(parameters: &[f64], h: f64, t: f64, old: [f64; 2], new: [f64; 2]) -> f64 {
+    let &[friction, width, stiffness] = parameters else {
+        panic!("three parameters")
+    };
+    // By the speed in the middle of the step.
+    let excess = |v: f64| {
+        let x = old[0] + h * v / 2.0;
+        let stops = stiffness * ((-0.2 - x).max(0.0) - (x - 0.2).max(0.0));
+        let push = 5.0 * (3.0 * (t + h / 2.0)).sin() - 4.0 * x;
+        2.0 * (v - old[1]) - h * (push - friction * (v / width).clamp(-1.0, 1.0) + stops)
+    };
+    let (mut low, mut high) = (-1e3, 1e3);
+    while low < 0.5 * (low + high) && 0.5 * (low + high) < high {
+        let middle = 0.5 * (low + high);
+        if excess(middle) < 0.0 {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    let v = 2.0 * high - old[1];
+    let size = f64::max(old[1].abs(), new[1].abs()).max(1e-3);
+    (new[1] - v).abs() / size
 }

@@ -138,12 +138,50 @@ impl Problem<1> for Arctangent {
 }
 
 #[test]
+fn corrections_that_overshoot_are_shortened() {
+    for start in [1.3, 1.5, -40.0, 1e6] {
+        let (root, outcome) = solve!(Arctangent, [start], DEFAULT);
+        assert!(outcome.is_ok(), "{start}: {outcome:?}");
+        assert!(root[0].abs() < 1e-12, "{start}: {root:?}");
+    }
+}
+
+/// atan x + 2 = 0 has no root, and every correction is larger than the one before.
+struct Beyond;
+impl Problem<1> for Beyond {
+    fn evaluate([x]: [f64; 1]) -> Evaluated<1> {
+        ([x.atan() + 2.0], [[1.0 / (1.0 + x * x)]])
+    }
+}
+
+#[test]
 fn growing_corrections_are_divergence() {
-    let (_, outcome) = solve!(Arctangent, [1.5], DEFAULT);
+    let (_, outcome) = solve!(Beyond, [0.0], DEFAULT);
     let error = outcome.unwrap_err();
     assert_eq!(error.fault.failure, Failure::Diverged);
     assert_eq!(error.history.iterations(), 1 + DEFAULT.max_growths);
-    assert!(solve!(Arctangent, [1.3], DEFAULT).1.is_ok());
+}
+
+/// Dry friction that is steep about rest, and a push: whole corrections go from one side of the steep piece to the other.
+struct Friction;
+impl Problem<1> for Friction {
+    fn evaluate([v]: [f64; 1]) -> Evaluated<1> {
+        let (force, slope) = match v / 1e-4 {
+            x if x.abs() > 1.0 => (x.signum(), 0.0),
+            x => (x, 1e4),
+        };
+        ([v - 0.3 + 0.5 * force], [[1.0 + 0.5 * slope]])
+    }
+}
+
+#[test]
+fn corrections_between_the_pieces_of_friction_end() {
+    for start in [-1.0, 0.0, 2e-4, 1.0] {
+        let (root, outcome) = solve!(Friction, [start], DEFAULT);
+        assert!(outcome.is_ok(), "{start}: {outcome:?}");
+        // v (1 + 0.5·10⁴) = 0.3
+        assert!((root[0] - 0.3 / 5001.0).abs() < 1e-16, "{start}: {root:?}");
+    }
 }
 
 /// x = 10⁷ + 0.003 − 0.01 sign(x − 10⁷) has no root: the sign flips before x gets there.

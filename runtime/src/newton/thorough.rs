@@ -32,7 +32,8 @@ use crate::settings::TRUSTED_STEPS;
 use crate::settings::most_growth;
 
 impl<S: Correctable<T>, T: Real> Newton<S, T> {
-    /// The solution from the extrapolated start, and if that fails from the plain guess.
+    /// The solution from the extrapolated start, if that fails from the plain guess, and if that fails from there by corrections
+    /// that are shortened until the residual falls.
     #[cold]
     #[inline(never)]
     pub(super) fn solve_thoroughly(
@@ -55,18 +56,28 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
         let mut outcome = Err(Failure::Stalled);
         for x in starts.into_iter().take(attempts) {
             self.start(x);
-            outcome = self.iterate(scene, step, known, statistics);
+            outcome = self.iterate(scene, step, known, None, statistics);
             if outcome.is_ok() {
                 break;
             }
         }
-        match outcome {
-            Ok(report) => Ok((self.x, report)),
-            Err(failure) => {
-                self.trust = 0;
-                Err(self.loose(known).unwrap_or_else(|| self.fault(failure)))
+        let failure = match outcome {
+            Ok(report) => return Ok((self.x, report)),
+            Err(failure) => failure,
+        };
+        self.trust = 0;
+        // Where damping fails as well, it is told how Newton's method did.
+        let fault = self.loose(known).unwrap_or_else(|| self.fault(failure));
+        let history = self.history;
+        for x in [guess, ahead].into_iter().take(attempts) {
+            let measures = self.measures(scene, step, known, x);
+            self.start(x);
+            if let Ok(report) = self.iterate(scene, step, known, Some(&measures), statistics) {
+                return Ok((self.x, report));
             }
         }
+        self.history = history;
+        Err(fault)
     }
 
     fn start(&mut self, x: S::Unknowns) {
@@ -80,6 +91,7 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
         scene: &S::Scene,
         step: &S::Step,
         known: &[T],
+        measures: Option<&S::Unknowns>,
         statistics: &mut Statistics,
     ) -> Result<Report, Failure> {
         let mut growths = 0;
@@ -90,6 +102,7 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
             require_finite(&self.r)?;
 
             let correction = self.j.solve(&self.r).ok_or(Failure::Singular)?;
+            let from = self.x;
             subtract(&mut self.x, &correction);
             require_finite(&self.x)?;
 
@@ -101,6 +114,7 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
             let tolerance = self.settings.tolerance;
             if self.history.iterations() >= 2
                 && self.settings.is_above_rounding()
+                && measures.is_none()
                 && !S::HAS_KINKS
                 && is_last(progress.size, before, tolerance)
             {
@@ -118,11 +132,14 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
                 && self.undetermined(&correction, known).is_none()
             {
                 return Ok(self.report(Success::AtFloor));
-            } else {
+            } else if measures.is_none() {
                 growths += 1;
                 if growths >= self.settings.max_growths {
                     return Err(Failure::Diverged);
                 }
+            }
+            if let Some(measures) = measures {
+                self.shorten(scene, step, measures, &from, &correction, statistics)?;
             }
             self.previous = correction;
             before = progress.size;
@@ -301,13 +318,13 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
     }
 
     /// The rows of the Jacobian.
-    fn rows(&self) -> impl Iterator<Item = &[T]> {
+    pub(super) fn rows(&self) -> impl Iterator<Item = &[T]> {
         let n = self.r.as_ref().len().max(1);
         self.j.entries().chunks_exact(n)
     }
 
     /// The size of the terms of an equation with this row of the Jacobian, each unknown as large as its block.
-    fn terms(&self, row: &[T], known: &[T]) -> T {
+    pub(super) fn terms(&self, row: &[T], known: &[T]) -> T {
         let mut terms = T::constant(0.0);
         for (unknowns, scale) in self.blocks(known) {
             let entries = row.iter().take(unknowns.end).skip(unknowns.start);
