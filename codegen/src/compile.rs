@@ -268,7 +268,7 @@ fn discrete(
     let mut lowered = lower_discrete(model, form)?;
     let n = model.n_unknowns();
     let jacobian = differentiate(&mut lowered.dag, &lowered.residual, n);
-    let blocks = structure(model, &lowered.dag, &jacobian)?;
+    let blocks = structure(model, &lowered.dag, &lowered.residual, &jacobian)?;
     let mut derivatives = vec![Vec::new(); model.claims.len()];
     for (i, claim) in model.claims.iter().enumerate() {
         if claim.kind == ClaimKind::Residual {

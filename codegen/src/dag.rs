@@ -273,6 +273,27 @@ impl Dag {
         masks
     }
 
+    /// For each node the unknowns among the first 128 that decide over a jump in it: those in the arguments of `sign`, whose derivative
+    /// knows nothing of them.
+    pub fn jumps(&self) -> Vec<u128> {
+        let unknowns = self.unknowns(0);
+        let mut masks = vec![0; self.nodes.len()];
+        for (i, node) in self.nodes.iter().enumerate() {
+            let jumps = matches!(node, Node::Call(Elementary::Sign, _));
+            let mut mask = 0;
+            node.visit(|operand| {
+                let operand = operand.index();
+                mask |= if jumps {
+                    unknowns[operand]
+                } else {
+                    masks[operand]
+                };
+            });
+            masks[i] = mask;
+        }
+        masks
+    }
+
     /// The id of `node`, which must be in normal form: only `normal` calls this.
     pub(crate) fn intern(&mut self, node: Node) -> NodeId {
         let id = |position| NodeId(u32::try_from(position).expect("a graph of 2^32 nodes"));

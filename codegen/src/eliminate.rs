@@ -74,7 +74,7 @@ pub struct Full<'a> {
 /// What is left; `None` if every unknown is needed.
 pub fn eliminate(dag: &mut Dag, full: &Full) -> Option<Reduced> {
     let n = full.residual.len();
-    let survey = Survey::of(dag, full.jacobian, full.typical);
+    let survey = Survey::of(dag, full.residual, full.jacobian, full.typical);
     let mut values: Vec<Option<NodeId>> = vec![None; n];
     let mut solved_rows = vec![false; n];
     let mut divisors = Vec::new();

@@ -21,7 +21,7 @@ pub fn explicit(
     entries: &[Entry],
     typical: &Typical,
 ) -> Result<Vec<NodeId>, Errors> {
-    check_linear(model, dag, entries)?;
+    check_linear(model, dag, flow, entries)?;
     let n = flow.len();
     let zero = dag.integer(0);
     let at_rest = dag.substitute(flow, |leaf| {
@@ -39,17 +39,23 @@ pub fn explicit(
 }
 
 /// The first equation whose coefficient of a rate contains a rate.
-fn check_linear(model: &Model, dag: &Dag, entries: &[Entry]) -> Result<(), Errors> {
+fn check_linear(
+    model: &Model,
+    dag: &Dag,
+    flow: &[NodeId],
+    entries: &[Entry],
+) -> Result<(), Errors> {
     let depends = dag.dependence(|leaf| matches!(leaf, Leaf::Unknown(_)));
+    let jumps = dag.jumps();
     let mut errors = Errors::default();
     let mut offset = 0;
     for equation in &model.flow {
         let rows = offset..offset + equation.shape.len();
         offset = rows.end;
-        if entries
-            .iter()
-            .any(|e| rows.contains(&e.row) && depends[e.node.index()])
-        {
+        let mut own = entries.iter().filter(|e| rows.contains(&e.row));
+        let is_curved = own.any(|e| depends[e.node.index()]);
+        let jumps = rows.clone().any(|row| jumps[flow[row].index()] != 0);
+        if is_curved || jumps {
             errors.push(
                 equation.range,
                 "the flow must be linear in the rates der(x)",

@@ -1,6 +1,7 @@
 //! From residuals and their derivatives to a solvable system in block-triangular order.
 
 use crate::dag::Dag;
+use crate::dag::NodeId;
 use crate::diagnostic::Errors;
 use crate::model::Model;
 use crate::pattern::Pattern;
@@ -17,18 +18,29 @@ const POINTS: u64 = 4;
 /// # Errors
 /// Unknowns that no equation determines, and equations that follow from others: the Jacobian is singular
 /// whatever the numbers are.
-pub fn structure(model: &Model, dag: &Dag, entries: &[Entry]) -> Result<Vec<Block>, Errors> {
+pub fn structure(
+    model: &Model,
+    dag: &Dag,
+    residual: &[NodeId],
+    entries: &[Entry],
+) -> Result<Vec<Block>, Errors> {
     let n = model.n_unknowns();
-    let pattern = Pattern::new(n, entries.iter().map(|e| (e.row, e.col)));
-    let matching = pattern.matching();
+    let pairs = entries.iter().map(|e| (e.row, e.col));
+    let matching = Pattern::new(n, pairs.clone()).matching();
     let equation_of: Vec<usize> = matching.iter().flatten().copied().collect();
     if equation_of.len() < n {
         return Err(undetermined(model, entries, &matching));
     }
+    let jumps = dag.jumps();
+    let jumps: Vec<u128> = residual.iter().map(|root| jumps[root.index()]).collect();
+    // No equation is solved for an unknown that only decides over a jump in it, but it is solved after that is known.
+    let all = (0..n).flat_map(|row| (0..n).map(move |col| (row, col)));
+    let needs = all.filter(|(row, col)| jumps[*row] & 1 << col != 0);
+    let pattern = Pattern::new(n, pairs.chain(needs));
     let blocks = pattern.blocks(&equation_of).into_iter();
     let unknowns = dag.unknowns(0);
     let blocks: Vec<Block> = blocks
-        .map(|(rows, cols)| block(&unknowns, entries, rows, cols))
+        .map(|(rows, cols)| block(&unknowns, &jumps, entries, rows, cols))
         .collect();
     let mut errors = Errors::default();
     for rows in dependences(dag, &blocks, entries) {
@@ -111,14 +123,22 @@ fn dependent(model: &Model, rows: &[usize], errors: &mut Errors) {
     );
 }
 
-/// A block and whether its equations are linear in its unknowns; `unknowns` are those that each node depends on.
-fn block(unknowns: &[u128], entries: &[Entry], rows: Vec<usize>, cols: Vec<usize>) -> Block {
+/// A block and whether its equations are linear in its unknowns; `unknowns` are those that each node depends on, `jumps` those that
+/// decide over a jump in each equation.
+fn block(
+    unknowns: &[u128],
+    jumps: &[u128],
+    entries: &[Entry],
+    rows: Vec<usize>,
+    cols: Vec<usize>,
+) -> Block {
     let own = cols.iter().fold(0, |mask, col| mask | 1 << col);
     let inside = |e: &&Entry| rows.contains(&e.row) && cols.contains(&e.col);
     let linear = entries
         .iter()
         .filter(inside)
         .all(|e| unknowns[e.node.index()] & own == 0);
+    let linear = linear && rows.iter().all(|row| jumps[*row] & own == 0);
     Block { rows, cols, linear }
 }
 

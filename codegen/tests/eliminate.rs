@@ -58,3 +58,49 @@ fn a_closed_form_that_takes_far_more_than_the_dense_solve_is_left_alone() {
     assert_eq!(kept(&coupled(2)).len(), 2);
     assert!(analysis(&coupled(6)).systems[0].core.is_none());
 }
+
+#[test]
+fn what_decides_over_a_jump_is_kept() {
+    // Linear in x and v but for the jump, whose derivative is 0.
+    let friction = "state x; state v;
+        residual { Δx = h*v[k+1]; Δv = -h*(x[k+1] + 0.3*sign(v[k+1])); }
+        solve for next;
+        start { x = 1; v = 0; }";
+    assert_eq!(kept(friction), [1]);
+    // The second equation alone tells v, once x is known.
+    let relay = "state x; state v;
+        residual { Δx = h*v[k+1]; Δv = -2*h*sign(x[k+1]); }
+        solve for next;
+        start { x = 1; v = 0; }";
+    assert_eq!(kept(relay).len(), 1);
+    let rates = "state x; flow { der(x) = -x - 0.3*sign(der(x)); }
+        residual { Δx = 0; } start { x = 1; }";
+    let errors = analyse("eliminate", lex(rates).expect("lexes")).err();
+    let message = errors.expect("a jump is not linear").to_string();
+    assert!(message.contains("linear in the rates"), "{message}");
+}
+
+#[test]
+fn more_unknowns_than_are_compared_are_kept_for_a_jump_too() {
+    // A chain of masses, of which neighbours rub on each other.
+    let n = 12;
+    let mut text = String::new();
+    for i in 0..n {
+        text += &format!("state x{i}; state v{i};\n");
+    }
+    text += "residual {\n";
+    for i in 0..n {
+        let rub = |i: usize| format!("sign(v{i}[k+1] - v{}[k+1])", i + 1);
+        let below = if i > 0 { rub(i - 1) } else { "0".to_owned() };
+        let above = if i + 1 < n { rub(i) } else { "0".to_owned() };
+        text +=
+            &format!("Δx{i} = h*v{i}[k+1]; Δv{i} = h*(0.1*{below} - 0.1*{above} - x{i}[k+1]);\n");
+    }
+    text += "} solve for next; start {";
+    for i in 0..n {
+        text += &format!("x{i} = 0; v{i} = {i};");
+    }
+    let kept = kept(&(text + "}"));
+    // Every other one is what the jumps are decided by.
+    assert!((0..n).all(|i| kept.contains(&(2 * i + 1))), "{kept:?}");
+}

@@ -76,6 +76,10 @@ pub const ALL: &[Mutation] = &[
     mutation("∂x^y/∂y = x^y ln x", DERIVATIVES, "dag.mul(power, log)", "power"),
     mutation("cₙ' has the term n/2 cₙ₊₂", DERIVATIVES, "BigRational::new(n.into(), 2.into())", "BigRational::new(n.into(), 3.into())"),
     mutation("cₙ' has the term −1/2 cₙ₊₁", DERIVATIVES, "BigRational::new((-1).into(), 2.into())", "BigRational::new(1.into(), 2.into())"),
+    // Jumps, which have no derivative.
+    mutation("an unknown that decides over a jump is not eliminated from it", "codegen/src/eliminate/candidates.rs", "couplings[row][col] |= 1 << col;\n            }\n        }\n        let matrix", "}\n        }\n        let matrix"),
+    mutation("equations are solved after what decides over their jumps", "codegen/src/structure.rs", "pairs.chain(needs)", "pairs.chain(needs.take(0))"),
+    mutation("a flow has no jumps in its rates", "codegen/src/explicit.rs", "if is_curved || jumps {", "if is_curved {"),
     // The normal form.
     mutation("a − b subtracts", NORMAL, "(-BigRational::one(), b)])", "(BigRational::one(), b)])"),
     mutation("−a is −1 a", NORMAL, "self.scale(-BigRational::one(), a)", "self.scale(BigRational::one(), a)"),

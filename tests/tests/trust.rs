@@ -134,6 +134,70 @@ mod rubbing {
     }
 }
 
+/// Friction by a normal force that is an unknown.
+mod coulomb {
+    residua::model! {
+        //! Friction on a block with lift.
+        param F = 5;
+        state v;
+        unknown N = 9.81;
+        residual {
+            Δv = h*(F*sin(t[k+1]) - 0.3*N*sign(v[k+1]));
+            N = 9.81 + 0.2*v[k+1]^2;
+        }
+        solve for next, increment;
+        start { v = 1; }
+    }
+}
+
+/// A pendulum with dry friction in its joint: linear in both unknowns but for the jump.
+mod joint {
+    residua::model! {
+        //! Dry joint.
+        param c = 0.3;
+        state θ;
+        state ω;
+        residual {
+            Δθ = h*ω[k+1/2];
+            Δω = -h*(9.81*sin(θ[k+1/2]) + c*sign(ω[k+1/2]));
+        }
+        solve for next, increment;
+        start { θ = 1; ω = 0; }
+    }
+}
+
+/// Two masses that rub on each other.
+mod rubbed {
+    residua::model! {
+        //! Masses that rub on each other.
+        param c = 0.3;
+        state x: [2];
+        state v: [2];
+        residual {
+            Δx = h*v[k+1/2];
+            Δv = h*([sin(3*t[k+1/2]), 0] - 4*x[k+1/2] - c*[1, -1]*sign(v[k+1/2].x - v[k+1/2].y));
+        }
+        solve for next, increment;
+        start { x = [0, 0]; v = [1, 0]; }
+    }
+}
+
+/// Equations in order but for a jump in the first that the second decides over.
+mod relay {
+    residua::model! {
+        //! A relay.
+        param a = 2;
+        state x;
+        state v;
+        residual {
+            Δx = h*v[k+1];
+            Δv = -h*a*sign(x[k+1]);
+        }
+        solve for next, increment;
+        start { x = 1; v = 0; }
+    }
+}
+
 /// A pendulum on a rod: the multiplier is known to ε/h² only, and no state follows from it.
 mod rod {
     residua::model! {
@@ -551,4 +615,88 @@ fn rubbed(parameters: &[f64], h: f64, t: f64, old: [f64; 2], new: [f64; 2]) -> f
     let v = 2.0 * high - old[1];
     let size = f64::max(old[1].abs(), new[1].abs()).max(1e-3);
     (new[1] - v).abs() / size
+}
+
+/// By how much a step misses the equations of a model with jumps.
+type Miss = fn(&[f64], f64, f64, &[f64], &[f64]) -> f64;
+
+/// −1, 0 or 1
+fn sign(x: f64) -> f64 {
+    if x == 0.0 { 0.0 } else { x.signum() }
+}
+
+fn miss_of_coulomb(p: &[f64], h: f64, t: f64, old: &[f64], new: &[f64]) -> f64 {
+    let normal = 9.81 + 0.2 * new[0] * new[0];
+    new[0] - old[0] - h * (p[0] * (t + h).sin() - 0.3 * normal * sign(new[0]))
+}
+
+fn miss_of_joint(p: &[f64], h: f64, _t: f64, old: &[f64], new: &[f64]) -> f64 {
+    let [angle, rate] = [0, 1].map(|i| (old[i] + new[i]) / 2.0);
+    let turned = new[0] - old[0] - h * rate;
+    turned.abs() + (new[1] - old[1] + h * (9.81 * angle.sin() + p[0] * sign(rate))).abs()
+}
+
+fn miss_of_rubbed(p: &[f64], h: f64, t: f64, old: &[f64], new: &[f64]) -> f64 {
+    let [x, y, v, w] = [0, 1, 2, 3].map(|i| (old[i] + new[i]) / 2.0);
+    let rubbing = p[0] * sign(v - w);
+    let force = [
+        (3.0 * (t + h / 2.0)).sin() - 4.0 * x - rubbing,
+        rubbing - 4.0 * y,
+    ];
+    let rates = [v, w, force[0], force[1]];
+    (0..4).map(|i| (new[i] - old[i] - h * rates[i]).abs()).sum()
+}
+
+fn miss_of_relay(p: &[f64], h: f64, _t: f64, old: &[f64], new: &[f64]) -> f64 {
+    (new[0] - old[0] - h * new[1]).abs() + (new[1] - old[1] + h * p[0] * sign(new[0])).abs()
+}
+
+#[test]
+fn jumps_in_unknowns_are_not_passed_over() {
+    let models: [(&'static Catalogued, Miss); 4] = [
+        (&coulomb::MODEL, miss_of_coulomb),
+        (&joint::MODEL, miss_of_joint),
+        (&rubbed::MODEL, miss_of_rubbed),
+        (&relay::MODEL, miss_of_relay),
+    ];
+    for (model, miss) in models {
+        let case = Case::of_file(model);
+        for h in [0.1, 0.01] {
+            let check = |what: &str, states: &[(f64, Vec<f64>)]| {
+                let name = model.description.name;
+                for pair in states.windows(2) {
+                    let off = miss(&case.parameters, h, pair[0].0, &pair[0].1, &pair[1].1);
+                    assert!(
+                        off.abs() < 1e-11,
+                        "{name}, {what}, {h}: {off:e} at {}",
+                        pair[0].0
+                    );
+                }
+                states.len() - 1
+            };
+            for solver in model.solvers {
+                let mut states = Vec::new();
+                // Where friction holds a body there is no solution.
+                let _ = solver.simulate(&case.run(h, 500), &mut |sample| {
+                    states.push((sample.t, sample.state.to_vec()));
+                    ControlFlow::Continue(())
+                });
+                let form = solver.solver().form;
+                let taken = check(form, &states);
+                assert!(
+                    taken >= 5,
+                    "{}, {form}, {h}: {taken} steps",
+                    model.description.name
+                );
+            }
+            let shown = Mutex::new(vec![(0.0, case.start.clone())]);
+            fly(&case, h, 500, &|sample| {
+                let mut shown = shown.lock().expect("no panic");
+                shown.push((sample.t, sample.state.to_vec()));
+            });
+            let mut states = shown.into_inner().expect("no panic");
+            states.dedup_by(|a, b| a.0 == b.0);
+            check("ensemble", &states);
+        }
+    }
 }

@@ -133,7 +133,8 @@ pub fn analyse_scene(name: &str, tokens: TokenStream, read: ReadModel) -> Result
     };
     let mut discrete = special.discrete;
     let jacobian = differentiate(&mut discrete.dag, &discrete.residual, model.n_unknowns());
-    let blocks = structure(&model, &discrete.dag, &jacobian).map_err(|errors| errors.at(place))?;
+    let blocks = structure(&model, &discrete.dag, &discrete.residual, &jacobian)
+        .map_err(|errors| errors.at(place))?;
     let equations = special.equations;
     let typical = Typical::new(&equations.dag, &equations.defaults);
     let system = system(discrete, jacobian, blocks, &typical);

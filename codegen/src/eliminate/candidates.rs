@@ -1,6 +1,7 @@
 //! A block as what a choice of its unknowns is made from: numbers and dependences.
 
 use crate::dag::Dag;
+use crate::dag::NodeId;
 use crate::sample::Sample;
 use crate::sample::Typical;
 use crate::system::Block;
@@ -17,14 +18,21 @@ const SMALL_STEP: f64 = 1.0 / 8192.0;
 pub(super) struct Survey {
     /// The unknowns that it depends on, as bits.
     unknowns: Vec<u128>,
+    /// Of each equation, the unknowns that decide over a jump in it.
+    jumps: Vec<u128>,
     /// At each point the values of all.
     points: Vec<Vec<f64>>,
 }
 
 impl Survey {
-    /// Asks all of `jacobian`.
-    pub(super) fn of(dag: &Dag, jacobian: &[Entry], typical: &Typical) -> Self {
-        let masks = dag.unknowns(0);
+    /// Asks all of `jacobian`, the derivatives of `residual`.
+    pub(super) fn of(
+        dag: &Dag,
+        residual: &[NodeId],
+        jacobian: &[Entry],
+        typical: &Typical,
+    ) -> Self {
+        let (masks, jumps) = (dag.unknowns(0), dag.jumps());
         let nodes: Vec<_> = jacobian.iter().map(|entry| entry.node).collect();
         let tape = dag.tape(&nodes);
         let generic = (0..POINTS).map(|number| {
@@ -35,6 +43,7 @@ impl Survey {
             (0..POINTS).map(|number| tape.evaluate(|leaf| typical.value(number, leaf, SMALL_STEP)));
         Self {
             unknowns: nodes.iter().map(|node| masks[node.index()]).collect(),
+            jumps: residual.iter().map(|root| jumps[root.index()]).collect(),
             points: generic.chain(typical).collect(),
         }
     }
@@ -43,7 +52,7 @@ impl Survey {
 /// The Jacobian of a block at generic points, and which of its entries depend on which unknowns. Equations and unknowns
 /// are positions in the block; sets of unknowns are bits, of which 127 are enough.
 pub(super) struct Candidates {
-    /// For each equation the structural non-zeros.
+    /// For each equation the structural non-zeros, and what decides over its jumps.
     pub(super) patterns: Vec<u128>,
     /// For each equation and unknown, the unknowns that its coefficient depends on, and those whose coefficients depend
     /// on it.
@@ -74,6 +83,18 @@ impl Candidates {
             for other in (0..n).filter(|&other| survey.unknowns[i] & 1 << block.cols[other] != 0) {
                 couplings[row][col] |= 1 << other;
                 couplings[row][other] |= 1 << col;
+            }
+        }
+        for (row, &equation) in block.rows.iter().enumerate() {
+            let jumps = survey.jumps[equation];
+            for (col, _) in block
+                .cols
+                .iter()
+                .enumerate()
+                .filter(|(_, c)| jumps & 1 << **c != 0)
+            {
+                patterns[row] |= 1 << col;
+                couplings[row][col] |= 1 << col;
             }
         }
         let matrix = |values: &Vec<f64>| {
