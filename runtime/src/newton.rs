@@ -152,6 +152,11 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
         self.trust = 0;
     }
 
+    /// The last iterate of the last thorough solution, or of what was to become one.
+    pub(crate) fn last(&self) -> S::Unknowns {
+        self.x
+    }
+
     /// The corrections of the last thorough solution.
     pub(crate) fn history(&self) -> History {
         self.history

@@ -74,6 +74,8 @@ pub trait Scalar:
 pub trait Real: Scalar + PartialOrd {
     /// The distance from 1 to the next larger number.
     const EPSILON: Self;
+    /// The least positive number that has all its digits.
+    const LEAST: Self;
     /// Neither infinite nor NaN.
     fn is_finite(self) -> bool;
     /// The number itself, or for narrower types its exact image.

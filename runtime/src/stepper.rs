@@ -18,6 +18,7 @@ use crate::newton::Newton;
 use crate::report::History;
 use crate::report::Report;
 use crate::report::Statistics;
+use crate::report::Success;
 use crate::resolution::Solved;
 use crate::scalar::Real;
 use crate::sensitivity::Amplification;
@@ -94,9 +95,11 @@ impl<S: Correctable<T>, T: Real> Solver<S, T> {
         }
         let scene = &self.scene;
         let step = S::step(scene, t, state);
-        let (x, report) = self
-            .newton
-            .solve(scene, &step, state.as_ref(), statistics)?;
+        let solved = self.newton.solve(scene, &step, state.as_ref(), statistics);
+        let (x, report) = match solved {
+            Ok(solved) => solved,
+            Err(fault) => self.at_rounding(t, step, state).ok_or(fault)?,
+        };
         self.require_determined(&step, state, &x)?;
         let scene = &self.scene;
         if !is_trusted::<S, T>(scene, &step, &x) {
@@ -105,23 +108,50 @@ impl<S: Correctable<T>, T: Real> Solver<S, T> {
         let (next, lost_then) = self.after(&step, state, &x, lost);
         require_finite(&next)?;
         check(state, &next)?;
-        if !self.is_within_reach(&next) {
-            let solved = Solved::<S, T> {
-                parameters: self.parameters,
-                h: self.h,
-                t,
-                scene: self.scene,
-                step,
-                state: *state,
-                x,
-            };
-            if let Some(fault) = solved.doubt() {
-                return Err(fault);
-            }
+        if !self.is_within_reach(&next)
+            && let Some(fault) = self.solved(t, step, state, x).doubt()
+        {
+            return Err(fault);
         }
         self.reach = reach::<S, T>(&self.reach, &next);
         (*state, *lost) = (next, lost_then);
         Ok(report)
+    }
+
+    /// The last iterate of an iteration without an end, where no other is better.
+    #[cold]
+    #[inline(never)]
+    fn at_rounding(
+        &self,
+        t: T,
+        step: S::Step,
+        state: &StateArray<S, T>,
+    ) -> Option<(S::Unknowns, Report)> {
+        let x = self.newton.last();
+        let report = Report {
+            iterations: self.newton.history().iterations(),
+            success: Success::AtFloor,
+        };
+        let is_rounding = self.solved(t, step, state, x).is_rounding();
+        is_rounding.then_some((x, report))
+    }
+
+    fn solved(
+        &self,
+        t: T,
+        step: S::Step,
+        state: &StateArray<S, T>,
+        x: S::Unknowns,
+    ) -> Solved<S, T> {
+        Solved {
+            parameters: self.parameters,
+            h: self.h,
+            t,
+            scene: self.scene,
+            step,
+            state: *state,
+            x,
+        }
     }
 
     /// Refuses a step between two states in which the equations do not hold but for rounding that may have grown, or do not
@@ -346,6 +376,8 @@ impl<S: Solvable<T>, T: Real> Implicit<S, T> {
         self.lost.as_mut().fill(T::constant(0.0));
         if !self.fell_back {
             self.full.newton.forget();
+            // What the core has looked at is no other for all unknowns.
+            self.full.reach = self.core.reach;
         }
         self.all_unknowns(t, state, statistics)
     }

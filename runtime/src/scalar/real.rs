@@ -99,6 +99,7 @@ macro_rules! real {
 
         impl Real for $float {
             const EPSILON: Self = <$float>::EPSILON;
+            const LEAST: Self = <$float>::MIN_POSITIVE;
             #[inline]
             fn is_finite(self) -> bool {
                 <$float>::is_finite(self)

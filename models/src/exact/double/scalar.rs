@@ -16,6 +16,8 @@ use super::Double;
 impl Real for Double {
     /// Sums and products are within 2⁻¹⁰⁰.
     const EPSILON: Self = Self::new(f64::EPSILON * f64::EPSILON, 0.0);
+    // Where the low part has its digits, too.
+    const LEAST: Self = Self::new(f64::MIN_POSITIVE / f64::EPSILON, 0.0);
 
     fn is_finite(self) -> bool {
         Double::is_finite(self)

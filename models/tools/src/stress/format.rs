@@ -1,6 +1,6 @@
 //! The two formats that models are run in, and what is asked of results in them.
 
-use super::running::Finite;
+use residua::Real;
 
 /// A floating-point format (IEEE 754).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

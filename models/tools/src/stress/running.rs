@@ -11,20 +11,6 @@ use residua_codegen::dag::Number;
 /// Units of rounding of an elementary function, more than those of any that is used here.
 const FUNCTION: f64 = 4.0;
 
-/// `f64` and `f32`.
-pub trait Finite: Real {
-    /// The least positive number that has all its digits.
-    const LEAST: Self;
-}
-
-impl Finite for f64 {
-    const LEAST: Self = Self::MIN_POSITIVE;
-}
-
-impl Finite for f32 {
-    const LEAST: Self = Self::MIN_POSITIVE;
-}
-
 /// A value and a bound of its error to first order, whatever the order of sums and products it came from.
 #[derive(Clone, Copy, Debug)]
 pub struct Running<T> {
@@ -34,7 +20,7 @@ pub struct Running<T> {
     pub error: T,
 }
 
-impl<T: Finite> Running<T> {
+impl<T: Real> Running<T> {
     /// The number nearest to `value`, as what is meant.
     pub fn exact(value: f64) -> Self {
         Self {
@@ -44,7 +30,7 @@ impl<T: Finite> Running<T> {
     }
 }
 
-impl<T: Finite> Add for Running<T> {
+impl<T: Real> Add for Running<T> {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
@@ -56,7 +42,7 @@ impl<T: Finite> Add for Running<T> {
     }
 }
 
-impl<T: Finite> Mul for Running<T> {
+impl<T: Real> Mul for Running<T> {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
@@ -69,7 +55,7 @@ impl<T: Finite> Mul for Running<T> {
 }
 
 /// What a product may lose that is too small for its digits: nothing where a factor is 0.
-fn lost<T: Finite>(a: T, b: T) -> T {
+fn lost<T: Real>(a: T, b: T) -> T {
     let zero = T::constant(0.0);
     if a == zero || b == zero {
         return zero;
@@ -77,7 +63,7 @@ fn lost<T: Finite>(a: T, b: T) -> T {
     T::EPSILON * T::LEAST
 }
 
-impl<T: Finite> Number for Running<T> {
+impl<T: Real> Number for Running<T> {
     fn constant(high: f64, low: f64) -> Self {
         let value = T::constant(high);
         Self {
