@@ -86,3 +86,26 @@ fn weighted<T: Real>(row: impl Iterator<Item = T>, scales: &[T]) -> T {
     row.zip(scales)
         .fold(T::constant(0.0), |sum, (a, scale)| sum + a.abs() * *scale)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Solved;
+    use crate::specimens::root::Flat;
+    use crate::specimens::root::Problem;
+    use crate::specimens::root::Root;
+
+    impl<P: Problem<N>, const N: usize> Solved<Root<P, N>, f64> {
+        /// The solution `x` of the problem from `state`.
+        pub(super) fn of_root(state: [f64; N], x: [f64; N]) -> Self {
+            Self {
+                parameters: Flat([]),
+                h: 1.0,
+                t: 0.0,
+                scene: (),
+                step: state,
+                state,
+                x,
+            }
+        }
+    }
+}

@@ -2,7 +2,8 @@
 
 use crate::points::Points;
 use residua::description::Variable;
-use residua::erased::{AnySolver, Catalogued, Point, Run};
+use residua::erased::{AnySolver, Catalogued, Point, Run, Sample};
+use residua::{Fleet, Outcome, Settings};
 use std::ops::ControlFlow;
 
 pub use residua_tools::study::Case;
@@ -22,6 +23,8 @@ pub trait Tested: Sized {
     fn last_state(&self, solver: &dyn AnySolver, h: f64, steps: u64) -> Vec<f64>;
     /// A run of which only the end is shown.
     fn unobserved(&self, h: f64, steps: u64) -> Run<'_>;
+    /// An ensemble of one by `increment`, which is shown after each step.
+    fn fly(&self, h: f64, steps: u64, observer: &(dyn Fn(Sample) + Sync)) -> Outcome;
 }
 
 impl Tested for Case {
@@ -88,6 +91,24 @@ impl Tested for Case {
             every: 0,
             ..self.run(h, steps)
         }
+    }
+
+    fn fly(&self, h: f64, steps: u64, observer: &(dyn Fn(Sample) + Sync)) -> Outcome {
+        let fleet = Fleet {
+            trajectories: 0..1,
+            fill: &|_, parameters, start| {
+                parameters.copy_from_slice(&self.parameters);
+                start.copy_from_slice(&self.start);
+            },
+            h,
+            t0: 0.0,
+            steps,
+            every: 1,
+            settings: Settings::default(),
+            observer: &|_, sample| observer(sample),
+        };
+        let outcomes = solver(self.model, "increment").fly(&fleet);
+        outcomes.expect("a run")[0]
     }
 }
 

@@ -197,7 +197,6 @@ mod tests {
     use crate::description::Unknown;
     use crate::error::Place;
     use crate::specimens::root::Evaluated;
-    use crate::specimens::root::Flat;
     use crate::specimens::root::Problem;
     use crate::specimens::root::Root;
 
@@ -269,16 +268,7 @@ mod tests {
     }
 
     fn solved<P: Problem<2>>(x: [f64; 2]) -> Solved<Root<P, 2>, f64> {
-        let state = [0.0; 2];
-        Solved {
-            parameters: Flat([]),
-            h: 1.0,
-            t: 0.0,
-            scene: (),
-            step: state,
-            state,
-            x,
-        }
+        Solved::of_root([0.0; 2], x)
     }
 
     #[test]

@@ -92,7 +92,6 @@ mod tests {
     use crate::description::Unknown;
     use crate::error::Place;
     use crate::specimens::root::Evaluated;
-    use crate::specimens::root::Flat;
     use crate::specimens::root::Problem;
     use crate::specimens::root::Root;
 
@@ -107,15 +106,7 @@ mod tests {
 
     /// The equation that is blamed.
     fn row<P: Problem<2>>(state: [f64; 2], x: [f64; 2]) -> Option<Place> {
-        let solved = Solved::<Root<P, 2>, f64> {
-            parameters: Flat([]),
-            h: 1.0,
-            t: 0.0,
-            scene: (),
-            step: state,
-            state,
-            x,
-        };
+        let solved = Solved::<Root<P, 2>, f64>::of_root(state, x);
         solved.unresolved().map(|fault| fault.place)
     }
 
