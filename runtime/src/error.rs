@@ -117,6 +117,9 @@ impl fmt::Display for StepError {
             Failure::Drowned => {
                 f.write_str("rounding of the terms of ")?;
                 self.write_place(f)?;
+                if !value.is_finite() {
+                    return f.write_str(" is all that moves the state");
+                }
                 return write!(f, " moves the state by {value:.1e} of its size");
             }
             Failure::NotFinite => {

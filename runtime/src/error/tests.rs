@@ -69,6 +69,10 @@ fn what_has_too_few_digits_is_named() {
          1.2e-2 of its size"
     );
     assert_eq!(
+        message(Failure::Drowned, Place::State(0), f64::INFINITY, 3),
+        "step 17 at t = 0.17: rounding of the terms of state θ at the end of the step is all that moves the state"
+    );
+    assert_eq!(
         message(Failure::Drowned, Place::State(0), 3.0, 3),
         "step 17 at t = 0.17: rounding of the terms of state θ at the end of the step moves the state by 3.0e0 of its size"
     );
