@@ -273,23 +273,26 @@ impl Dag {
         masks
     }
 
-    /// For each node the unknowns among the first 128 that decide over a jump in it: those in the arguments of `sign`, whose derivative
-    /// knows nothing of them.
-    pub fn jumps(&self) -> Vec<u128> {
+    /// For each node those of the first 128 unknowns that stand in arguments of functions or in powers. It is linear in none of them,
+    /// whatever its derivative says: that of sign x is 0, and that of atan(tan x) is 1 beside every jump.
+    pub fn curved(&self) -> Vec<u128> {
         let unknowns = self.unknowns(0);
         let mut masks = vec![0; self.nodes.len()];
         for (i, node) in self.nodes.iter().enumerate() {
-            let jumps = matches!(node, Node::Call(Elementary::Sign, _));
-            let mut mask = 0;
-            node.visit(|operand| {
-                let operand = operand.index();
-                mask |= if jumps {
-                    unknowns[operand]
-                } else {
-                    masks[operand]
-                };
-            });
-            masks[i] = mask;
+            let of = |operand: &NodeId| masks[operand.index()];
+            masks[i] = match node {
+                Node::Constant(_) | Node::Pi | Node::Leaf(_) => 0,
+                Node::Sum(terms) => terms.iter().fold(0, |mask, (_, term)| mask | of(term)),
+                Node::Product(factors) => factors.iter().fold(0, |mask, (factor, exponent)| {
+                    mask | match exponent {
+                        1 => of(factor),
+                        _ => unknowns[factor.index()],
+                    }
+                }),
+                Node::Call(_, arguments) => arguments
+                    .iter()
+                    .fold(0, |mask, argument| mask | unknowns[argument.index()]),
+            };
         }
         masks
     }

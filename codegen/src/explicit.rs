@@ -46,7 +46,7 @@ fn check_linear(
     entries: &[Entry],
 ) -> Result<(), Errors> {
     let depends = dag.dependence(|leaf| matches!(leaf, Leaf::Unknown(_)));
-    let jumps = dag.jumps();
+    let curved = dag.curved();
     let mut errors = Errors::default();
     let mut offset = 0;
     for equation in &model.flow {
@@ -54,8 +54,8 @@ fn check_linear(
         offset = rows.end;
         let mut own = entries.iter().filter(|e| rows.contains(&e.row));
         let is_curved = own.any(|e| depends[e.node.index()]);
-        let jumps = rows.clone().any(|row| jumps[flow[row].index()] != 0);
-        if is_curved || jumps {
+        let stands_in_function = rows.clone().any(|row| curved[flow[row].index()] != 0);
+        if is_curved || stands_in_function {
             errors.push(
                 equation.range,
                 "the flow must be linear in the rates der(x)",

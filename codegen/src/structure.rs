@@ -31,16 +31,15 @@ pub fn structure(
     if equation_of.len() < n {
         return Err(undetermined(model, entries, &matching));
     }
-    let jumps = dag.jumps();
-    let jumps: Vec<u128> = residual.iter().map(|root| jumps[root.index()]).collect();
-    // No equation is solved for an unknown that only decides over a jump in it, but it is solved after that is known.
+    let (unknowns, curved) = (dag.unknowns(0), dag.curved());
+    let curved: Vec<u128> = residual.iter().map(|root| curved[root.index()]).collect();
+    // No equation is solved for an unknown that it does not change with, but for others after that is known.
     let all = (0..n).flat_map(|row| (0..n).map(move |col| (row, col)));
-    let needs = all.filter(|(row, col)| jumps[*row] & 1 << col != 0);
+    let needs = all.filter(|(row, col)| unknowns[residual[*row].index()] & 1 << col != 0);
     let pattern = Pattern::new(n, pairs.chain(needs));
     let blocks = pattern.blocks(&equation_of).into_iter();
-    let unknowns = dag.unknowns(0);
     let blocks: Vec<Block> = blocks
-        .map(|(rows, cols)| block(&unknowns, &jumps, entries, rows, cols))
+        .map(|(rows, cols)| block(&unknowns, &curved, entries, rows, cols))
         .collect();
     let mut errors = Errors::default();
     for rows in dependences(dag, &blocks, entries) {
@@ -123,11 +122,11 @@ fn dependent(model: &Model, rows: &[usize], errors: &mut Errors) {
     );
 }
 
-/// A block and whether its equations are linear in its unknowns; `unknowns` are those that each node depends on, `jumps` those that
-/// decide over a jump in each equation.
+/// A block and whether its equations are linear in its unknowns; `unknowns` are those that each node depends on, `curved` those that
+/// stand in functions and powers in each equation.
 fn block(
     unknowns: &[u128],
-    jumps: &[u128],
+    curved: &[u128],
     entries: &[Entry],
     rows: Vec<usize>,
     cols: Vec<usize>,
@@ -138,7 +137,7 @@ fn block(
         .iter()
         .filter(inside)
         .all(|e| unknowns[e.node.index()] & own == 0);
-    let linear = linear && rows.iter().all(|row| jumps[*row] & own == 0);
+    let linear = linear && rows.iter().all(|row| curved[*row] & own == 0);
     Block { rows, cols, linear }
 }
 

@@ -73,6 +73,18 @@ fn what_decides_over_a_jump_is_kept() {
         solve for next;
         start { x = 1; v = 0; }";
     assert_eq!(kept(relay).len(), 1);
+    // One beside every jump.
+    let wave = "state x; state v;
+        residual { Δx = h*v[k+1]; Δv = -h*atan(tan(x[k+1])); }
+        solve for next;
+        start { x = 1; v = 0; }";
+    assert_eq!(kept(wave).len(), 1);
+    // Nothing of x is in the derivative, nor of v.
+    let identity = "state x; state v; state w;
+        residual { Δx = h*v[k+1]; Δv = -h*(cos(x[k+1])^2 + sin(x[k+1])^2); Δw = h*atan2(v[k+1], 2*v[k+1]); }
+        solve for next;
+        start { x = 1; v = 0; w = 0; }";
+    assert!(!kept(identity).is_empty());
     let rates = "state x; flow { der(x) = -x - 0.3*sign(der(x)); }
         residual { Δx = 0; } start { x = 1; }";
     let errors = analyse("eliminate", lex(rates).expect("lexes")).err();

@@ -3,14 +3,18 @@
 mod equations;
 mod unknowns;
 
+use crate::error::Failure;
 use crate::error::Fault;
+use crate::error::Place;
 use crate::linear::Correctable;
+use crate::linear::SquareMatrix;
 use crate::model::Model;
 use crate::model::Record;
 use crate::model::StateArray;
 use crate::model::System;
 use crate::scalar::Real;
 use crate::scalar::Rounded;
+use crate::scalar::all_finite;
 
 /// A step with its solution.
 pub(crate) struct Solved<S: System<T>, T: Real> {
@@ -25,11 +29,31 @@ pub(crate) struct Solved<S: System<T>, T: Real> {
 }
 
 impl<S: Correctable<T>, T: Real> Solved<S, T> {
-    /// Why the solution is none that can be told from others: rounding of the unknowns makes an equation another one, or rounding
-    /// of the equations the state.
+    /// Why the solution is none that can be told from others: an equation is infinitely steep there, rounding of the unknowns makes it
+    /// another one, or rounding of the equations the state.
     #[cold]
     pub(crate) fn doubt(&self) -> Option<Fault> {
-        self.unresolved().or_else(|| self.drowned())
+        let unresolved = || self.unresolved();
+        self.steep().or_else(unresolved).or_else(|| self.drowned())
+    }
+
+    /// r(x) and J(x).
+    fn jacobian(&self) -> (S::Unknowns, S::Jacobian) {
+        let (mut r, mut j) = S::zeros();
+        S::residual_and_jacobian(&self.scene, &self.step, &self.x, &mut r, &mut j);
+        (r, j)
+    }
+
+    /// The first equation with a derivative that is no number: any residual is nothing beside it.
+    fn steep(&self) -> Option<Fault> {
+        let (r, j) = self.jacobian();
+        let mut rows = 0..r.as_ref().len();
+        let row = rows.find(|row| !all_finite(j.row(*row)))?;
+        Some(Fault {
+            failure: Failure::Singular,
+            place: Place::Equation(row),
+            value: r.as_ref().get(row).map_or(0.0, |r| r.to_f64()),
+        })
     }
 }
 

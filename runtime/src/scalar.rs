@@ -105,6 +105,11 @@ pub(crate) fn all_finite<T: Real>(values: &[T]) -> bool {
         .fold(true, |all, value| all & value.is_finite())
 }
 
+/// False for NaN.
+pub(crate) fn is_infinite<T: Real>(value: &T) -> bool {
+    value.abs() > T::constant(0.0) && !value.is_finite()
+}
+
 /// Position and value of the first number that is infinite or NaN.
 pub(crate) fn first_not_finite<T: Real>(values: &[T]) -> Option<(usize, f64)> {
     let position = values.iter().position(|value| !value.is_finite())?;

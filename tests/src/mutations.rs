@@ -76,10 +76,10 @@ pub const ALL: &[Mutation] = &[
     mutation("∂x^y/∂y = x^y ln x", DERIVATIVES, "dag.mul(power, log)", "power"),
     mutation("cₙ' has the term n/2 cₙ₊₂", DERIVATIVES, "BigRational::new(n.into(), 2.into())", "BigRational::new(n.into(), 3.into())"),
     mutation("cₙ' has the term −1/2 cₙ₊₁", DERIVATIVES, "BigRational::new((-1).into(), 2.into())", "BigRational::new(1.into(), 2.into())"),
-    // Jumps, which have no derivative.
-    mutation("an unknown that decides over a jump is not eliminated from it", "codegen/src/eliminate/candidates.rs", "couplings[row][col] |= 1 << col;\n            }\n        }\n        let matrix", "}\n        }\n        let matrix"),
-    mutation("equations are solved after what decides over their jumps", "codegen/src/structure.rs", "pairs.chain(needs)", "pairs.chain(needs.take(0))"),
-    mutation("a flow has no jumps in its rates", "codegen/src/explicit.rs", "if is_curved || jumps {", "if is_curved {"),
+    // What derivatives do not tell.
+    mutation("an unknown in a function is not eliminated from it", "codegen/src/eliminate/candidates.rs", "couplings[row][col] |= (curved >> unknown & 1) << col;", "couplings[row][col] |= (curved >> unknown & 0) << col;"),
+    mutation("equations are solved after all that is in them", "codegen/src/structure.rs", "pairs.chain(needs)", "pairs.chain(needs.take(0))"),
+    mutation("a flow has no functions of its rates", "codegen/src/explicit.rs", "if is_curved || stands_in_function {", "if is_curved {"),
     // The normal form.
     mutation("a − b subtracts", NORMAL, "(-BigRational::one(), b)])", "(BigRational::one(), b)])"),
     mutation("−a is −1 a", NORMAL, "self.scale(-BigRational::one(), a)", "self.scale(BigRational::one(), a)"),
@@ -131,6 +131,7 @@ pub const ALL: &[Mutation] = &[
     mutation("what a solver learnt is forgotten with the state", NEWTON, "self.shifts = Shifts::new(self.x);\n        self.trust = 0;", ""),
     mutation("not finite: residual", THOROUGH, "            require_finite(&self.r)?;\n", ""),
     mutation("not finite: unknowns", THOROUGH, "            require_finite(&self.x)?;\n", ""),
+    mutation("an infinite slope is no convergence", THOROUGH, "self.j.entries().iter().any(is_infinite)", "false"),
     mutation("singular", THOROUGH, "self.j.solve(&self.r).ok_or(Failure::Singular)?", "self.j.solve(&self.r).unwrap_or(self.r)"),
     mutation("converged: within the tolerance", THOROUGH, "let within = length <= self.settings.tolerance * scale;", "let within = length <= T::constant(1e-3) * scale;"),
     mutation("converged: a first correction within it needs a smaller residual", THOROUGH, "fell.all(|fell| fell) || self.residual_is_rounding(known)", "fell.all(|_| true) || self.residual_is_rounding(known)"),

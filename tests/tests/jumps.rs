@@ -140,6 +140,37 @@ fn rubbed(parameters: &[f64], h: f64, t: f64, old: [f64; 2], new: [f64; 2]) -> f
     (new[1] - v).abs() / size
 }
 
+/// Functions of which derivatives say that they are linear, or nothing at all.
+mod collapsed {
+    residua::model! {
+        //! Functions with simple derivatives.
+        param c = 2;
+        state x: [3];
+        state v: [3];
+        residual {
+            Δx = h*v[k+1/2];
+            Δv = h*([1, 1, 1] - x[k+1/2]) - h*[
+                0.3*atan2(v[k+1/2].x, c*v[k+1/2].x),
+                atan(tan(2*x[k+1/2].y)),
+                cos(x[k+1].z)^2 + sin(x[k+1].z)^2 + atan2(x[k+1].z, x[k+1].z)];
+        }
+        solve for next, increment;
+        start { x = [1, 0.7, 1]; v = [0.2, 1, -1]; }
+    }
+}
+
+/// A tank that is empty, where the outflow is infinitely steep.
+mod tank {
+    residua::model! {
+        //! Filling a tank.
+        param q = 1;
+        state x;
+        residual { Δx = h*(q - sqrt(x[k+1])); }
+        solve for next, increment;
+        start { x = 0; }
+    }
+}
+
 /// By how much a step misses the equations of a model with jumps.
 type Miss = fn(&[f64], f64, f64, &[f64], &[f64]) -> f64;
 
@@ -174,16 +205,56 @@ fn miss_of_relay(p: &[f64], h: f64, _t: f64, old: &[f64], new: &[f64]) -> f64 {
     (new[0] - old[0] - h * new[1]).abs() + (new[1] - old[1] + h * p[0] * sign(new[0])).abs()
 }
 
+fn miss_of_collapsed(p: &[f64], h: f64, _t: f64, old: &[f64], new: &[f64]) -> f64 {
+    let middle = |i: usize| (old[i] + new[i]) / 2.0;
+    let force = [
+        0.3 * middle(3).atan2(p[0] * middle(3)),
+        (2.0 * middle(1)).tan().atan(),
+        1.0 + new[2].atan2(new[2]),
+    ];
+    let miss = |i: usize| {
+        let turned = (new[i] - old[i] - h * middle(i + 3)).abs();
+        turned + (new[i + 3] - old[i + 3] - h * (1.0 - middle(i) - force[i])).abs()
+    };
+    (0..3).map(miss).sum()
+}
+
+fn miss_of_tank(p: &[f64], h: f64, _t: f64, old: &[f64], new: &[f64]) -> f64 {
+    new[0] - old[0] - h * (p[0] - new[0].sqrt())
+}
+
+#[test]
+fn an_infinite_slope_is_no_convergence() {
+    let mut case = Case::of_file(&tank::MODEL);
+    for solver in case.model.solvers {
+        let made = solver.simulate(&case.run(0.1, 10), &mut |_| ControlFlow::Continue(()));
+        let message = made.expect_err("no slope").to_string();
+        assert!(
+            message.contains("the Jacobian became singular"),
+            "{message}"
+        );
+    }
+    assert!(case.fly(0.1, 10, &|_| {}).error.is_some());
+    case.start[0] = 1e-3;
+    assert!(case.fly(0.1, 10, &|_| {}).error.is_none());
+}
+
 #[test]
 fn jumps_in_unknowns_are_not_passed_over() {
-    let models: [(&'static Catalogued, Miss); 4] = [
+    let models: [(&'static Catalogued, Miss); 6] = [
         (&coulomb::MODEL, miss_of_coulomb),
         (&joint::MODEL, miss_of_joint),
         (&rubbed::MODEL, miss_of_rubbed),
         (&relay::MODEL, miss_of_relay),
+        (&collapsed::MODEL, miss_of_collapsed),
+        (&tank::MODEL, miss_of_tank),
     ];
     for (model, miss) in models {
-        let case = Case::of_file(model);
+        let mut case = Case::of_file(model);
+        if case.start == [0.0] {
+            // Not empty.
+            case.start[0] = 1e-3;
+        }
         for h in [0.1, 0.01] {
             let check = |what: &str, states: &[(f64, Vec<f64>)]| {
                 let name = model.description.name;

@@ -18,8 +18,8 @@ const SMALL_STEP: f64 = 1.0 / 8192.0;
 pub(super) struct Survey {
     /// The unknowns that it depends on, as bits.
     unknowns: Vec<u128>,
-    /// Of each equation, the unknowns that decide over a jump in it.
-    jumps: Vec<u128>,
+    /// Of each equation, the unknowns in it, and those that stand in functions and powers.
+    contents: Vec<[u128; 2]>,
     /// At each point the values of all.
     points: Vec<Vec<f64>>,
 }
@@ -32,7 +32,7 @@ impl Survey {
         jacobian: &[Entry],
         typical: &Typical,
     ) -> Self {
-        let (masks, jumps) = (dag.unknowns(0), dag.jumps());
+        let (masks, curved) = (dag.unknowns(0), dag.curved());
         let nodes: Vec<_> = jacobian.iter().map(|entry| entry.node).collect();
         let tape = dag.tape(&nodes);
         let generic = (0..POINTS).map(|number| {
@@ -43,7 +43,10 @@ impl Survey {
             (0..POINTS).map(|number| tape.evaluate(|leaf| typical.value(number, leaf, SMALL_STEP)));
         Self {
             unknowns: nodes.iter().map(|node| masks[node.index()]).collect(),
-            jumps: residual.iter().map(|root| jumps[root.index()]).collect(),
+            contents: residual
+                .iter()
+                .map(|root| [masks[root.index()], curved[root.index()]])
+                .collect(),
             points: generic.chain(typical).collect(),
         }
     }
@@ -52,7 +55,7 @@ impl Survey {
 /// The Jacobian of a block at generic points, and which of its entries depend on which unknowns. Equations and unknowns
 /// are positions in the block; sets of unknowns are bits, of which 127 are enough.
 pub(super) struct Candidates {
-    /// For each equation the structural non-zeros, and what decides over its jumps.
+    /// For each equation the unknowns in it.
     pub(super) patterns: Vec<u128>,
     /// For each equation and unknown, the unknowns that its coefficient depends on, and those whose coefficients depend
     /// on it.
@@ -86,15 +89,10 @@ impl Candidates {
             }
         }
         for (row, &equation) in block.rows.iter().enumerate() {
-            let jumps = survey.jumps[equation];
-            for (col, _) in block
-                .cols
-                .iter()
-                .enumerate()
-                .filter(|(_, c)| jumps & 1 << **c != 0)
-            {
-                patterns[row] |= 1 << col;
-                couplings[row][col] |= 1 << col;
+            let [unknowns, curved] = survey.contents[equation];
+            for (col, unknown) in block.cols.iter().enumerate() {
+                patterns[row] |= (unknowns >> unknown & 1) << col;
+                couplings[row][col] |= (curved >> unknown & 1) << col;
             }
         }
         let matrix = |values: &Vec<f64>| {

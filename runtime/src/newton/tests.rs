@@ -162,6 +162,27 @@ fn growing_corrections_are_divergence() {
     assert_eq!(error.history.iterations(), 1 + DEFAULT.max_growths);
 }
 
+/// √x = 0.1 from where the root is infinitely steep.
+struct Upright;
+impl Problem<1> for Upright {
+    fn evaluate([x]: [f64; 1]) -> Evaluated<1> {
+        ([x.sqrt() - 0.1], [[0.5 / x.sqrt()]])
+    }
+}
+
+#[test]
+fn an_infinite_slope_is_no_convergence() {
+    let (_, outcome) = solve!(Upright, [0.0], DEFAULT);
+    let error = outcome.unwrap_err();
+    assert_eq!(error.fault.failure, Failure::Singular);
+    assert_eq!(error.history.iterations(), 0);
+    let (root, outcome) = solve!(Upright, [1e-6], DEFAULT);
+    assert!(
+        outcome.is_ok() && (root[0] - 0.01).abs() < 1e-13,
+        "{root:?}"
+    );
+}
+
 /// Dry friction that is steep about rest, and a push: whole corrections go from one side of the steep piece to the other.
 struct Friction;
 impl Problem<1> for Friction {

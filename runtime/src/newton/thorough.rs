@@ -23,6 +23,7 @@ use crate::report::Statistics;
 use crate::report::Success;
 use crate::scalar::Real;
 use crate::scalar::first_not_finite;
+use crate::scalar::is_infinite;
 use crate::scalar::largest_of;
 use crate::sensitivity::follows;
 use crate::settings::AT_ROUNDING;
@@ -100,6 +101,10 @@ impl<S: Correctable<T>, T: Real> Newton<S, T> {
             S::residual_and_jacobian(scene, step, &self.x, &mut self.r, &mut self.j);
             statistics.iterations += 1;
             require_finite(&self.r)?;
+            // Any residual would be nothing beside it.
+            if self.j.entries().iter().any(is_infinite) {
+                return Err(Failure::Singular);
+            }
 
             let correction = self.j.solve(&self.r).ok_or(Failure::Singular)?;
             let from = self.x;

@@ -105,12 +105,6 @@ impl<S: Correctable<T>, T: Real> Solved<S, T> {
         S::next(&self.scene, &self.step, &self.x)
     }
 
-    fn jacobian(&self) -> (S::Unknowns, S::Jacobian) {
-        let (mut r, mut j) = S::zeros();
-        S::residual_and_jacobian(&self.scene, &self.step, &self.x, &mut r, &mut j);
-        (r, j)
-    }
-
     /// Whether a few ε of the data, and of the unknowns, change number `i` of a result by its error: Σ |∂f/∂p| |p| over all p.
     fn is_explained<A: AsRef<[T]>>(
         &self,
