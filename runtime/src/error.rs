@@ -199,6 +199,15 @@ pub enum InvalidRun {
     },
     /// A parameter is infinite or NaN.
     Parameter(Component, f64),
+    /// A parameter is not 0, but less than the least number that a run computes with in all digits.
+    TooSmall {
+        /// Which.
+        component: Component,
+        /// The value given.
+        value: f64,
+        /// That number.
+        least: f64,
+    },
     /// A start value is infinite or NaN.
     StartValue(Component, f64),
     /// A start value is not 0 although the scene has done without the component: it would have stayed 0.
@@ -234,6 +243,14 @@ impl fmt::Display for InvalidRun {
             Self::Parameter(component, value) => {
                 write!(f, "parameter {component} is {value}, {finite}")
             }
+            Self::TooSmall {
+                component,
+                value,
+                least,
+            } => write!(
+                f,
+                "parameter {component} is {value:e}, expected 0 or at least {least:e}: less has not all digits here"
+            ),
             Self::StartValue(component, value) => {
                 write!(f, "start value {component} is {value}, {finite}")
             }

@@ -99,6 +99,8 @@ pub const ALL: &[Mutation] = &[
     mutation("0 times anything is 0", NORMAL, "if coefficient.is_zero() {\n            return self.integer(0);", "if coefficient.is_zero() {\n            return self.integer(1);"),
     mutation("a^(n/2) is a root to the n", CALLS, "return self.product([(root, halves)]);", "return self.product([(root, 1)]);"),
     mutation("a^n is a product", CALLS, "return self.product([(base, whole)]);", "return self.product([(base, 2)]);"),
+    mutation("√n² is the size of n", CALLS, "if root.1 % 2 != 0", "if root.1 % 2 == 0"),
+    mutation("what is no square keeps its root", CALLS, "if !is_square || coefficient", "if coefficient"),
     mutation("odd functions give their sign back", CALLS, "return if parity(function) == Parity::Odd {", "return if parity(function) == Parity::Even {"),
     mutation("arguments of odd and even functions lose their sign", CALLS, "let positive = self.scale(-coefficient, core);", "let positive = self.scale(coefficient, core);"),
     mutation("sin 0 and its kin are 0", CALLS, "| Elementary::Tanh => x.is_zero().then(BigRational::zero)", "| Elementary::Tanh => x.is_zero().then(BigRational::one)"),

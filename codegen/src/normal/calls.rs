@@ -35,6 +35,11 @@ impl Dag {
         if let Some(value) = self.exact_call(function, &arguments) {
             return self.constant(value);
         }
+        if function == Elementary::Sqrt
+            && let Some(root) = self.root_of_squares(arguments[0])
+        {
+            return root;
+        }
         let (coefficient, core) = self.split_coefficient(arguments[0]);
         if coefficient.is_negative() && parity(function) != Parity::Neither {
             let positive = self.scale(-coefficient, core);
@@ -46,6 +51,28 @@ impl Dag {
             };
         }
         self.intern(Node::Call(function, arguments))
+    }
+
+    /// √(c Π nᵢ^(2kᵢ)) = √c Π |nᵢ|^kᵢ, for c ≥ 0 and a product of nothing but even powers: it has a kink where an nᵢ
+    /// is 0, which the root hides, and squares that overflow or underflow.
+    fn root_of_squares(&mut self, argument: NodeId) -> Option<NodeId> {
+        let (coefficient, core) = self.split_coefficient(argument);
+        let Node::Product(factors) = self.node(core) else {
+            return None;
+        };
+        let is_square = factors.iter().all(|factor| factor.1 % 2 == 0);
+        if !is_square || coefficient.is_negative() {
+            return None;
+        }
+        let mut roots: Vec<(NodeId, i32)> = factors.iter().map(|(n, e)| (*n, e / 2)).collect();
+        for root in &mut roots {
+            if root.1 % 2 != 0 {
+                root.0 = self.call(Elementary::Abs, vec![root.0]);
+            }
+        }
+        let scale = self.constant(coefficient);
+        roots.push((self.call(Elementary::Sqrt, vec![scale]), 1));
+        Some(self.product(roots))
     }
 
     /// The value of a call whose arguments and value are exact.

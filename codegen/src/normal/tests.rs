@@ -53,6 +53,29 @@ fn products_collect_powers_and_roots() {
 }
 
 #[test]
+fn roots_of_squares_are_magnitudes() {
+    let mut dag = Dag::new();
+    let (a, b) = (x(&mut dag, 0), x(&mut dag, 1));
+    let root = |dag: &mut Dag, factors: &[(NodeId, i32)], scale: i64| {
+        let product = dag.product(factors.iter().copied());
+        let scaled = dag.scale(rational(scale), product);
+        dag.call(Elementary::Sqrt, vec![scaled])
+    };
+    let magnitude = dag.call(Elementary::Abs, vec![a]);
+    assert_eq!(root(&mut dag, &[(a, 2)], 1), magnitude);
+    let thrice = dag.scale(rational(3), magnitude);
+    assert_eq!(root(&mut dag, &[(a, 2)], 9), thrice);
+    let expected = dag.product([(magnitude, 3), (b, -2)]);
+    assert_eq!(root(&mut dag, &[(a, 6), (b, -4)], 1), expected);
+    for kept in [
+        root(&mut dag, &[(a, 2), (b, 1)], 1),
+        root(&mut dag, &[(a, 2)], -1),
+    ] {
+        assert!(matches!(dag.node(kept), Node::Call(Elementary::Sqrt, _)));
+    }
+}
+
+#[test]
 fn functions_are_exact_where_their_values_are() {
     let mut dag = Dag::new();
     let pi = dag.pi();

@@ -117,6 +117,26 @@ pub fn number(value: f64) -> String {
     }
 }
 
+/// All digits of a number, by powers of ten where it is far from 1.
+pub fn exact(value: f64) -> String {
+    if value == 0.0 || (1e-5..1e17).contains(&value.abs()) {
+        format!("{value}")
+    } else {
+        format!("{value:e}")
+    }
+}
+
+/// Characters of input that a message repeats.
+const REPEATED: usize = 80;
+
+/// The begin of a long text, or a short one as it is.
+pub fn excerpt(text: &str) -> String {
+    match text.char_indices().nth(REPEATED) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text.to_owned(),
+    }
+}
+
 /// A value for reading, to some significant digits: `0.0102`, `1.2·10⁻¹³`, `−25`.
 pub fn rounded(value: f64, digits: usize) -> String {
     if !value.is_finite() {

@@ -84,6 +84,12 @@ fn single_precision_is_what_it_says() {
     }
     let other = residua("simulate planar_reduced --single --scheme rk4");
     assert_refused(&other, 2, &["--single are of Newton's method"]);
+    let small = residua("simulate planar_reduced --single --set l=1e-46");
+    assert_refused(
+        &small,
+        2,
+        &["parameter l is 1e-46, expected 0 or at least 1.17"],
+    );
 }
 
 #[test]

@@ -173,6 +173,8 @@ fn bad_input_is_one_clear_message() {
         let outcome = residua(&format!("simulate planar_reduced {options}"));
         assert_refused(&outcome, 2, parts);
     }
+    let outcome = residua("simulate models/dsl/planar_reduced.model");
+    assert_refused(&outcome, 2, &["give its name alone"]);
     let parts = ["no model `planar_reducd`", "did you mean `planar_reduced`"];
     assert_refused(&residua("simulate planar_reducd"), 2, &parts);
 }
@@ -295,8 +297,13 @@ fn a_scene_warns_in_the_words_of_its_model() {
 #[test]
 fn rows_and_picture_need_two_files() {
     let line = "simulate elastic --until 0.1 --out one --plot one";
-    let outcome = residua_in(&folder("one_file"), line);
+    let folder = folder("one_file");
+    let outcome = residua_in(&folder, line);
     assert_refused(&outcome, 2, &["--out and --plot name the same file"]);
+    let outcome = residua_in(&folder, "simulate elastic --until 0.1 --plot one.png");
+    let said = ["one.png would hold SVG, not png", "help: write to one.svg"];
+    assert_refused(&outcome, 2, &said);
+    assert!(!folder.join("one.png").exists());
 }
 
 #[test]

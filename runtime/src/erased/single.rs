@@ -6,11 +6,14 @@ use super::simulate::Observer;
 use super::simulate::Run;
 use super::simulate::Sample;
 use super::simulate::Steps;
+use crate::component::Component;
+use crate::error::InvalidRun;
 use crate::error::RunError;
 use crate::error::StepError;
 use crate::integration::Integration;
 use crate::integration::Method;
 use crate::linear::Solvable;
+use crate::model::Model;
 use crate::report::Statistics;
 use crate::settings::Settings;
 use crate::stepper::Stepper;
@@ -21,6 +24,7 @@ pub(super) fn simulate<S: Solvable<f32>>(
     observer: &mut Observer,
 ) -> Result<Statistics, RunError> {
     let (parameters, start) = run.records::<S::Model, f32>()?;
+    require_normal::<S::Model>(run.parameters)?;
     let stepper = Stepper::<S, f32>::new(parameters, start, run.h as f32)?.at(run.t0 as f32)?;
     let finest = Settings::<f32>::default().tolerance;
     let settings = Settings {
@@ -37,6 +41,23 @@ pub(super) fn simulate<S: Solvable<f32>>(
     };
     widened.widen();
     run.drive(&mut widened, observer)
+}
+
+/// Parameters that are not 0 in `f64` are not 0 in `f32` either, nor numbers with fewer digits.
+fn require_normal<M: Model<f32>>(parameters: &[f64]) -> Result<(), InvalidRun> {
+    let least = f64::from(f32::MIN_POSITIVE);
+    let is_small = |value: &f64| *value != 0.0 && value.abs() < least;
+    match parameters.iter().position(is_small) {
+        Some(position) => Err(InvalidRun::TooSmall {
+            component: Component {
+                variables: M::DESCRIPTION.parameters,
+                position,
+            },
+            value: parameters[position],
+            least,
+        }),
+        None => Ok(()),
+    }
 }
 
 /// A run with its state in `f64`, which holds every number of `f32`.

@@ -2,7 +2,7 @@
 
 use crate::expression::{Symbol, evaluate};
 use crate::failure::Failure;
-use crate::notation::components;
+use crate::notation::{components, excerpt};
 use residua::description::Variable;
 use residua_codegen::parse::ascii_spelling;
 use std::fmt;
@@ -31,7 +31,7 @@ impl Assignment {
 
 impl fmt::Display for Assignment {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} = {}", self.target, self.value)
+        write!(f, "{} = {}", excerpt(&self.target), excerpt(&self.value))
     }
 }
 
@@ -153,7 +153,7 @@ fn place<'a>(assignment: &'a Assignment, target: &Target<'a>) -> Result<Place<'a
     let kind = target.kind;
     let known = target.variables.iter().flat_map(|v| [v.name, v.ascii]);
     Err(Failure::unknown(
-        format!("the model has no {kind} `{name}`"),
+        format!("the model has no {kind} `{}`", excerpt(name)),
         name,
         known,
     ))

@@ -1,5 +1,6 @@
 //! Why a command ends early, and its exit code.
 
+use crate::notation::excerpt;
 use residua_models::UnknownModel;
 use std::io;
 use std::path::Path;
@@ -84,10 +85,15 @@ impl From<io::Error> for Failure {
 
 impl From<UnknownModel> for Failure {
     fn from(unknown: UnknownModel) -> Self {
-        let help = unknown.nearest.clone().map(did_you_mean);
+        let is_path = unknown.name.contains(['/', '\\']) || unknown.name.ends_with(".model");
+        let help = match &unknown.nearest {
+            Some(name) => did_you_mean(name.clone()),
+            None if is_path => "models are compiled in: put the file into models/dsl/, build, and give its name alone".to_owned(),
+            None => "`residua list` names all models".to_owned(),
+        };
         Self::Input {
-            message: unknown.to_string(),
-            help: Some(help.unwrap_or_else(|| "`residua list` names all models".to_owned())),
+            message: format!("there is no model `{}`", excerpt(&unknown.name)),
+            help: Some(help),
         }
     }
 }

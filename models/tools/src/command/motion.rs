@@ -3,7 +3,7 @@
 use crate::assignment::{Assignment, Target, assign, parse};
 use crate::expression::Symbol;
 use crate::failure::Failure;
-use crate::notation::number;
+use crate::notation::{exact, number};
 use clap::Args;
 use residua::Catalogued;
 use residua::description::{Description, Variable};
@@ -113,27 +113,38 @@ impl Motion {
 fn steps(step: f64, until: f64) -> Result<Span, Failure> {
     if !(step.is_finite() && step > 0.0) {
         return Err(Failure::input(format!(
-            "the step is {step}, not a positive number"
+            "the step is {}, not a positive number",
+            exact(step)
         )));
     }
     if !(until.is_finite() && until > 0.0) {
         return Err(Failure::input(format!(
-            "the end time is {until}, not a positive number"
+            "the end time is {}, not a positive number",
+            exact(until)
         )));
     }
     let ratio = until / step;
     if ratio + END_TOLERANCE < 1.0 {
-        let message = format!("the run ends at t = {until}, before its first step of {step}");
+        let message = format!(
+            "the run ends at t = {}, before its first step of {}",
+            exact(until),
+            exact(step)
+        );
         return Err(Failure::input(message));
     }
     if ratio > MAX_STEPS {
+        let [until, step] = [until, step].map(exact);
         let message = format!("{until} / {step} are {ratio:.1e} steps, more than {MAX_STEPS:e}");
         return Err(Failure::input(message));
     }
     let steps = (ratio + END_TOLERANCE).floor();
     let whole = (ratio - steps).abs() <= END_TOLERANCE * ratio.max(1.0);
     let end = number(steps * step);
-    let note = format!("{until} is no multiple of the step {step}: the run ends at t = {end}");
+    let note = format!(
+        "{} is no multiple of the step {}: the run ends at t = {end}",
+        exact(until),
+        exact(step)
+    );
     Ok(Span {
         step,
         steps: steps as u64,

@@ -1,6 +1,7 @@
 //! Where results and remarks go.
 
 use crate::failure::Failure;
+use std::ffi::OsStr;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
@@ -20,6 +21,18 @@ pub fn is_stdout(path: &Path) -> bool {
 /// A new file, or an old one emptied.
 pub fn create(path: &Path) -> Result<File, Failure> {
     File::create(path).map_err(|error| Failure::file("write", path, &error))
+}
+
+/// A new file for a picture, which is SVG whatever it is called.
+pub fn create_picture(path: &Path) -> Result<File, Failure> {
+    let extension = path.extension().and_then(OsStr::to_str);
+    match extension {
+        Some(other) if !other.eq_ignore_ascii_case("svg") => Err(Failure::input_with_help(
+            format!("{} would hold SVG, not {other}", path.display()),
+            format!("write to {}", path.with_extension("svg").display()),
+        )),
+        _ => create(path),
+    }
 }
 
 /// Two names of one file.

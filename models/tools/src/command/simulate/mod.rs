@@ -10,7 +10,7 @@ mod trace;
 use crate::failure::Failure;
 use crate::motion::Motion;
 use crate::notation;
-use crate::output::{create, is_same, is_stdout};
+use crate::output::{create, create_picture, is_same, is_stdout};
 use crate::plot;
 use crate::plot::Figure;
 use crate::requirements;
@@ -109,7 +109,7 @@ impl Simulate {
             unmet.for_each(|i| tell!("warning: {}", requirements::text(model, i)));
         }
         // Before the run, so that a bad path does not cost one.
-        let picture = self.plot.as_deref().map(create).transpose()?;
+        let picture = self.plot.as_deref().map(create_picture).transpose()?;
         let mut recorder = self.recorder(model, &plan)?;
         let clock = Instant::now();
         let outcome = self.advance(entry, &plan, &mut recorder);
