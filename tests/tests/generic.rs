@@ -9,6 +9,7 @@ use residua_tests::case::Case;
 use residua_tests::case::Tested;
 use residua_tests::points::Points;
 use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Random points per solver.
 const POINTS: usize = 50;
@@ -180,6 +181,29 @@ fn distance(a: &[f64], b: &[f64]) -> f64 {
     let relative = |(a, b): (&f64, &f64)| (a - b).abs() / b.abs().max(1.0);
     let worst = |s: f64, d: f64| if d.is_nan() { f64::INFINITY } else { s.max(d) };
     a.iter().zip(b).map(relative).fold(0.0, worst)
+}
+
+/// How far a run ends from its start that goes as many steps back as forth.
+fn way_back(case: &Case, solver: &dyn AnySolver, steps: u64) -> f64 {
+    let mut turned = case.clone();
+    turned.start = case.last_state(solver, 0.01, steps);
+    distance(&turned.last_state(solver, -0.01, steps), &case.start)
+}
+
+/// Equations that are the same with h < 0 and the ends of the step exchanged lead back to the start: where one step does, so do a
+/// hundred, to rounding that the motion stretches by less than a thousand.
+#[test]
+fn symmetric_equations_find_the_way_back() {
+    let symmetric = AtomicUsize::new(0);
+    for_every_solver(|model, solver, what| {
+        let case = Case::varied(model, &mut Points::new(12)).kicked(&mut Points::new(13));
+        if way_back(&case, solver, 1) < 1e-12 {
+            symmetric.fetch_add(1, Ordering::Relaxed);
+            let off = way_back(&case, solver, 100);
+            assert!(off < 1e-10, "{what}: {off:e}");
+        }
+    });
+    assert!(symmetric.load(Ordering::Relaxed) >= 12, "{symmetric:?}");
 }
 
 /// The largest departure of each invariant from its start over half a second.

@@ -10,7 +10,7 @@ use residua::erased::AnySolver;
 use residua_models::{CATALOGUE, Entry, SCENES, find};
 use residua_tools::stress::{
     Case, Endurance, Kind, Twin, Verdict, Wrong, cases, endure, in_other_frames, in_other_units,
-    judge, judge_in_single, twins,
+    judge, judge_in_single, on_their_way_back, twins,
 };
 use std::io::{self, IsTerminal};
 
@@ -140,6 +140,7 @@ impl Stress {
             });
             let at_random = || cases.iter().filter(|case| case.kind == Kind::Random);
             let elsewhere = [
+                on_their_way_back(*solver, at_random(), STEPS),
                 in_other_units(entry, at_random()),
                 in_other_frames(entry, at_random()),
             ];

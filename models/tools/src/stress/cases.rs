@@ -35,6 +35,8 @@ pub enum Kind {
     Step,
     /// All parameters, states and the step at random.
     Random,
+    /// The same at random, back from where they end.
+    Back,
     /// The same at random, in other units: each equation has a factor of its own then.
     Units,
     /// The same at random, in other frames.
@@ -51,9 +53,10 @@ pub enum Kind {
 
 impl Kind {
     /// All, in the order of the table.
-    pub const ALL: [Kind; 8] = [
+    pub const ALL: [Kind; 9] = [
         Kind::Step,
         Kind::Random,
+        Kind::Back,
         Kind::Units,
         Kind::Frame,
         Kind::Parameter,
@@ -67,6 +70,7 @@ impl Kind {
         match self {
             Kind::Step => "step",
             Kind::Random => "random",
+            Kind::Back => "back",
             Kind::Units => "units",
             Kind::Frame => "frames",
             Kind::Parameter => "parameters",

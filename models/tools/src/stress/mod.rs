@@ -3,6 +3,7 @@
 //! Runs are made from the description of the model (`cases`), and each accepted step is compared with its [`Twin`] in
 //! double-double numbers, from the state that it began with.
 
+mod back;
 mod cases;
 mod endurance;
 mod format;
@@ -26,6 +27,7 @@ use residua::erased::Point;
 use residua::erased::Run;
 use residua_models::Entry;
 
+pub use back::on_their_way_back;
 pub use cases::Case;
 pub use cases::Kind;
 pub use cases::cases;
